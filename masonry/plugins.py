@@ -25,20 +25,20 @@ def plugins(group: str) -> Mapping[str, tuple[Plugin, ...]]:
     """All entry points of a group by name, more than one where packages disagree. Reads what is installed: slow."""
     from importlib.metadata import entry_points
 
-    found: dict[str, tuple[Plugin, ...]] = {}
+    by_name: dict[str, tuple[Plugin, ...]] = {}
     for entry in sorted(entry_points(group=group), key=lambda entry: (entry.name, entry.value)):
         here = Plugin(entry.name, entry.value, _origin(entry))
-        found[entry.name] = (*found.get(entry.name, ()), here)
-    return found
+        by_name[entry.name] = (*by_name.get(entry.name, ()), here)
+    return by_name
 
 
 def plugin(group: str, name: str, what: str) -> Plugin | None:
     """The entry point of that name, or None; SceneError where two packages bring one. `what` it is: "law"."""
-    found = plugins(group).get(name, ())
-    if len(found) > 1:
-        who = " and ".join(one.origin for one in found)
+    entries = plugins(group).get(name, ())
+    if len(entries) > 1:
+        who = " and ".join(one.origin for one in entries)
         raise SceneError(f"{what} '{name}' is brought by {who}: uninstall one of them")
-    return found[0] if found else None
+    return entries[0] if entries else None
 
 
 def load(one: Plugin, what: str) -> Any:

@@ -22,7 +22,7 @@ class Mark:
     kind    "support", "drive", "traction"        words   a line for the list below the picture
     blocks  numbers of the blocks it acts on, rising; faces of them, or None
     parts   the blocks by what hangs together
-    held    axes that a support holds; all_held: no movement and no turn is left
+    axes    those along which a support holds; all_held: no movement and no turn is left
     arrows  (base (n, 3) m on the specimen, unit direction (3,), whether the arrow presses onto the base), one or more
     value   words beside the arrows
     """
@@ -32,7 +32,7 @@ class Mark:
     blocks: np.ndarray
     faces: np.ndarray | None
     parts: list[np.ndarray]
-    held: tuple[int, ...] = ()
+    axes: tuple[int, ...] = ()
     all_held: bool = False
     arrows: list[tuple[np.ndarray, np.ndarray, bool]] = field(default_factory=list)
     value: str = ""
@@ -40,20 +40,20 @@ class Mark:
 
 def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
     """All supports, the drive and all tractions of a scene, in this order. Raises SceneError for a wrong selector."""
-    found = []
+    all_marks = []
     for k, support in enumerate(scene.support):
         blocks, faces = _selected(specimen, joints, support.on, f"support.{k}.on")
-        held = tuple(a for a in range(3) if AXES[a] in support.fix)
-        everything = held == (0, 1, 2) and (faces is not None or "rotation" in support.fix)
+        axes = tuple(a for a in range(3) if AXES[a] in support.fix)
+        everything = axes == (0, 1, 2) and (faces is not None or "rotation" in support.fix)
         what = "everything" if everything else ", ".join(support.fix)
-        found.append(
+        all_marks.append(
             Mark(
                 "support",
                 f"support {k}: {support.on}, held: {what}",
                 blocks,
                 faces,
                 parts_of(joints, blocks, faces),
-                held,
+                axes,
                 everything,
             )
         )
@@ -69,7 +69,7 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
         direction = drive.sign * (np.sign(drive.reversals[0]) if monotonic else 1.0) * np.eye(3)[drive.axis]
         arrows = [_push_or_pull(specimen, part, faces, direction) for part in parts_of(joints, blocks, faces)]
         words = f"drive: {drive.on}, {value} along {drive.direction}"
-        found.append(Mark("drive", words, blocks, faces, [], arrows=arrows, value=value))
+        all_marks.append(Mark("drive", words, blocks, faces, [], arrows=arrows, value=value))
     for k, traction in enumerate(scene.traction):
         blocks, faces = _selected(specimen, joints, traction.on, f"traction.{k}.on")
         parts = [(a, s) for a, s in enumerate(traction.stress) if s != 0.0]
@@ -77,8 +77,8 @@ def marks(scene: Scene, specimen: Specimen, joints: Joints) -> list[Mark]:
         arrows = [_push_or_pull(specimen, blocks, faces, np.sign(s) * np.eye(3)[a], True) for a, s in parts]
         value += "" if traction.history is None else ", times its history"
         words = f"traction {k}: {traction.on}, {value or 'none'}"
-        found.append(Mark("traction", words, blocks, faces, [], arrows=arrows, value=value))
-    return found
+        all_marks.append(Mark("traction", words, blocks, faces, [], arrows=arrows, value=value))
+    return all_marks
 
 
 def _selected(specimen: Specimen, joints: Joints, on: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:

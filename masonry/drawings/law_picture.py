@@ -12,16 +12,16 @@ COLOURS = ("#4a90c2", "#1f3b5c", "#b2182b")
 FRACTURE, FRICTION = "#d7301f", "#e07b00"
 
 
-def draw_law(name: str, found: Portrait, path: Path) -> Path:
+def draw_law(name: str, portrait: Portrait, path: Path) -> Path:
     """Write the picture (.png), whole or not at all; returns the path. Raises SceneError where it cannot be written."""
     if path.suffix != ".png":
         raise SceneError(f"--plot '{path}': the picture is a .png file; nearest: '{path.stem or 'law'}.png'")
     with whole_file(path) as beside:
-        write_png(law_figure(name, found), beside)
+        write_png(law_figure(name, portrait), beside)
     return path
 
 
-def law_figure(name: str, found: Portrait) -> Any:
+def law_figure(name: str, portrait: Portrait) -> Any:
     """A matplotlib figure: curves above, energies below; tension to the left, shear to the right."""
     from matplotlib.figure import Figure
 
@@ -32,13 +32,13 @@ def law_figure(name: str, found: Portrait) -> Any:
         axes.grid(color="0.9", linewidth=0.8)
         axes.set_axisbelow(True)
         axes.spines[["top", "right"]].set_visible(False)
-    _draw_tension(panels[0, 0], panels[1, 0], found)
-    _draw_shear(panels[0, 1], panels[1, 1], found)
+    _draw_tension(panels[0, 0], panels[1, 0], portrait)
+    _draw_shear(panels[0, 1], panels[1, 1], portrait)
     return figure
 
 
-def _draw_tension(curve: Any, energies: Any, found: Portrait) -> None:
-    path = found.tension
+def _draw_tension(curve: Any, energies: Any, portrait: Portrait) -> None:
+    path = portrait.tension
     curve.set_title("opened, closed until the faces press, opened again", fontsize=10, color="0.3")
     curve.plot(path.opening * MILLI, path.sigma * MEGA, color=COLOURS[1], linewidth=1.8)
     curve.axhline(0.0, color="0.5", linewidth=0.8)
@@ -50,9 +50,9 @@ def _draw_tension(curve: Any, energies: Any, found: Portrait) -> None:
     energies.legend(frameon=False, fontsize=9)
 
 
-def _draw_shear(curve: Any, energies: Any, found: Portrait) -> None:
+def _draw_shear(curve: Any, energies: Any, portrait: Portrait) -> None:
     curve.set_title("slid, back beyond the start, and on", fontsize=10, color="0.3")
-    for (compression, path), colour in zip(found.shear.items(), COLOURS, strict=True):
+    for (compression, path), colour in zip(portrait.shear.items(), COLOURS, strict=True):
         label = f"{compression * MEGA:g} MPa"
         curve.plot(path.slip * MILLI, path.tau * MEGA, color=colour, linewidth=1.6, label=label)
         energies.plot(path.slip * MILLI, path.fracture, color=colour, linewidth=1.4)

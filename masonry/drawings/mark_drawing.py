@@ -95,12 +95,12 @@ def _draw_arrows(
         axes.update_datalim([start, end])
 
 
-def _in_sight(held: list[Piece], pieces: list[Piece], camera: Camera, width: float) -> list[Piece]:
+def _in_sight(faces: list[Piece], pieces: list[Piece], camera: Camera, width: float) -> list[Piece]:
     """Those of some pieces whose middle no piece hides; only pieces that lie over it in the picture are looked at."""
     flat = [camera.project(piece.corners) for piece in pieces]
     low, high = (np.array([at(corners, axis=0) for corners in flat]).reshape(-1, 2) for at in (np.min, np.max))
     seen = []
-    for piece in held:
+    for piece in faces:
         middle = piece.corners.mean(axis=0)
         place = camera.project(middle[None])[0]
         over = np.flatnonzero(((low <= place + width) & (place <= high + width)).all(axis=1))
@@ -119,8 +119,8 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
         own = np.isin([owner[p.face] for p in pieces], mark.blocks)
         if mark.faces is not None:
             own = np.isin([p.face for p in pieces], mark.faces)
-        held = [piece for piece, mine in zip(pieces, own, strict=True) if mine]
-        shown = [camera.project(piece.corners) for piece in _in_sight(held, pieces, camera, 1e-4 * size)]
+        faces = [piece for piece, mine in zip(pieces, own, strict=True) if mine]
+        shown = [camera.project(piece.corners) for piece in _in_sight(faces, pieces, camera, 1e-4 * size)]
         axes.add_collection(
             PolyCollection(shown, facecolors="none", edgecolors=colour, hatch="////", linewidths=0.0, zorder=5)
         )
@@ -128,7 +128,7 @@ def _draw_support(axes: Any, specimen: Specimen, mark: Mark, pieces: list[Piece]
             return
     for part in mark.parts:
         low, high = box_of(specimen, part, mark.faces)
-        for axis in mark.held:
+        for axis in mark.axes:
             at_high = nearer_side(specimen, low, high, axis)
             vector = (1.0 if at_high else -1.0) * np.eye(3)[axis]
             direction = _flat(camera, vector)

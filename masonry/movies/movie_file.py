@@ -96,8 +96,8 @@ def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmp
 
 def _ffmpeg() -> str:
     """The ffmpeg of the system, else that of imageio-ffmpeg."""
-    if found := shutil.which("ffmpeg"):
-        return found
+    if program := shutil.which("ffmpeg"):
+        return program
     try:
         from imageio_ffmpeg import get_ffmpeg_exe
 

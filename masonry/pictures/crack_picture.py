@@ -165,7 +165,7 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
     rows, when = result.history.rows, moment(result, frame)
     if not result.has_drive:
         return f"{name if when in name else f'{name}:{between}{when}'}\n{_drawn(times)}"
-    displacements = rows.get("displacement", np.array([kept.displacement for kept in result.history.frames]))
+    displacements = rows.get("displacement", np.array([other.displacement for other in result.history.frames]))
     words = f"{name}:{between}displacement {without_noise(frame.displacement, displacements) * MILLI:.4g} mm"
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])

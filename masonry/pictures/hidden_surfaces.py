@@ -63,15 +63,15 @@ def behind(points: np.ndarray, pieces: list[Piece], camera: Camera, width: float
     corners, _ = pad(*_joined(pieces))
     _, normal, middle = areas_normals_centroids(corners)
     edge = np.roll(corners, -1, axis=1) - corners
-    found = np.zeros((len(points), len(pieces)), dtype=bool)
+    is_behind = np.zeros((len(points), len(pieces)), dtype=bool)
     for n, point in enumerate(points):
         along = ((middle - point) * normal).sum(axis=1) / (normal @ camera.toward)
         reached = point + along[:, None] * camera.toward
         inside = np.einsum(
             "nki,nki->nk", np.cross(edge, reached[:, None] - corners), np.broadcast_to(normal[:, None], corners.shape)
         )
-        found[n] = (along > width) & np.all(inside >= -1e-12, axis=1)
-    return found
+        is_behind[n] = (along > width) & np.all(inside >= -1e-12, axis=1)
+    return is_behind
 
 
 def _joined(pieces: list[Piece]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -123,7 +123,7 @@ def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np
     size = float(np.ptp(blocks.points, axis=0).max())
     block = blocks.face_block()
     unit, group = blocks.unit[block], blocks.group[block]
-    found: list[list[tuple[object, ...]]] = []
+    edges: list[list[tuple[object, ...]]] = []
     beside: dict[tuple[object, ...], list[int]] = {}
     for f in faces.tolist():
         corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
@@ -132,20 +132,20 @@ def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np
         ]
         for key in keys:
             beside.setdefault(key, []).append(f)
-        found.append(keys)
+        edges.append(keys)
 
     def goes_on(f: int, others: list[int]) -> bool:
         near = (float(normal[f] @ normal[o]) > (BENT if block[o] == block[f] else SAME_PLANE) for o in others if o != f)
         return any(near)
 
-    return [np.array([not goes_on(f, beside[k]) for k in keys]) for f, keys in zip(faces.tolist(), found, strict=True)]
+    return [np.array([not goes_on(f, beside[k]) for k in keys]) for f, keys in zip(faces.tolist(), edges, strict=True)]
 
 
 def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
     """For each face, per edge: true unless a face of the same block goes on beyond it, turned by less than SMOOTH."""
     size = float(np.ptp(blocks.points, axis=0).max())
     owner = blocks.face_block()
-    found: list[list[tuple[object, ...]]] = []
+    edges: list[list[tuple[object, ...]]] = []
     beside: dict[tuple[object, ...], list[int]] = {}
     for f in faces.tolist():
         corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
@@ -154,11 +154,11 @@ def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list
         ]
         for key in keys:
             beside.setdefault(key, []).append(f)
-        found.append(keys)
+        edges.append(keys)
     smooth = {
         key for key, both in beside.items() if len(both) == 2 and normal[both[0]] @ normal[both[1]] > np.cos(SMOOTH)
     }
-    return [np.array([key not in smooth for key in keys]) for keys in found]
+    return [np.array([key not in smooth for key in keys]) for keys in edges]
 
 
 def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, most: float) -> list[Piece]:

@@ -156,7 +156,7 @@ def faces_beside(
     contact, after = np.repeat(np.arange(len(start) - 1), np.diff(start)), following(start)
     faces = np.diff(blocks.block_face_start)
     _, normal, middle = face_areas_normals_centroids(blocks)
-    found = []
+    pairs = []
     for some in np.split(np.arange(len(tile)), range(AT_ONCE, len(tile), AT_ONCE)):
         for block in (joints.block_a[contact[some]], joints.block_b[contact[some]]):
             k, face = ranges(blocks.block_face_start[block], faces[block])
@@ -165,6 +165,6 @@ def faces_beside(
             edge, face = edge[other], face[other]
             ends = [np.abs(np.einsum("ni,ni->n", tile[e] - middle[face], normal[face])) for e in (edge, after[edge])]
             on = np.maximum(*ends) <= width
-            found.append((edge[on], face[on]))
-    edges, beside = zip(*found, strict=True)
+            pairs.append((edge[on], face[on]))
+    edges, beside = zip(*pairs, strict=True)
     return np.concatenate(edges), np.concatenate(beside)

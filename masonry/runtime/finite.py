@@ -20,8 +20,8 @@ def finite_rows(rows: dict[str, np.ndarray], log: list[str]) -> tuple[dict[str, 
     first = int(np.argmin(good))
     bad = ", ".join(name for name, values in rows.items() if not np.isfinite(values[first]))
     log.append(f"{len(good) - first} rows were dropped: from row {first + 1} on, {bad} is not finite")
-    kept = {name: values[:first] for name, values in rows.items()}
-    return kept, float(kept["step"][-1]) if first and "step" in kept else -math.inf
+    finite = {name: values[:first] for name, values in rows.items()}
+    return finite, float(finite["step"][-1]) if first and "step" in finite else -math.inf
 
 
 def is_finite(frame: Frame) -> bool:

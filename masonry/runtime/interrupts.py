@@ -66,14 +66,14 @@ def interruptible() -> Iterator[Interrupts]:
         yield interrupts
         return
     heard = [number for number in SIGNALS if number == signal.SIGINT or signal.getsignal(number) != signal.SIG_IGN]
-    usual, told = {number: signal.signal(number, interrupts.hear) for number in heard}, sys.unraisablehook
+    usual, hook = {number: signal.signal(number, interrupts.hear) for number in heard}, sys.unraisablehook
     command = ending.CURRENT
     before, command.waits = command.waits, interrupts.waits
     try:
         yield interrupts
     finally:
         command.waits = before
-        sys.unraisablehook = told
+        sys.unraisablehook = hook
         for number, handler in usual.items():
             signal.signal(number, handler)
 
@@ -113,17 +113,17 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
-    found: list[Answer] = []
+    answers: list[Answer] = []
     raised: list[BaseException] = []
 
     def do() -> None:
         try:
-            found.append(work())
+            answers.append(work())
         except BaseException as error:
             raised.append(error)
 
     def over() -> bool:
-        return bool(found or raised)
+        return bool(answers or raised)
 
     begun, working = time.monotonic(), threading.Thread(target=do, daemon=True)
     try:
@@ -137,7 +137,7 @@ def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None
         raise
     if raised:
         raise raised[0]
-    return found[0]
+    return answers[0]
 
 
 def _end_with(over: Callable[[], bool], code: int) -> None:

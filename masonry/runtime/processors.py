@@ -14,5 +14,5 @@ def compiled_for() -> str:
     other last bits. NUMBA_CPU_NAME and NUMBA_CPU_FEATURES make it another one than this."""
     from llvmlite import binding
 
-    asked = [os.environ.get(key) for key in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES")]
-    return " ".join(filter(None, (platform.machine(), asked[0] or binding.get_host_cpu_name(), asked[1])))
+    wishes = [os.environ.get(key) for key in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES")]
+    return " ".join(filter(None, (platform.machine(), wishes[0] or binding.get_host_cpu_name(), wishes[1])))

@@ -23,14 +23,14 @@ class Parser(argparse.ArgumentParser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
         """As argparse does it, but a command itself says which of its words it does not know, and where its help is."""
-        found, unknown = super().parse_known_args(args, namespace)
+        words, unknown = super().parse_known_args(args, namespace)
         if unknown:
             word = unknown[0].partition("=")[0]
             hint = did_you_mean(word, self._option_string_actions, 0.7)
             if not hint and "--set" in self._option_string_actions and re.fullmatch(r"--\w[\w.-]*", word):
                 hint = f"; a key of the scene is changed by --set {word[2:]}=VALUE"
             self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
-        return found, unknown
+        return words, unknown
 
     def error(self, message: str) -> NoReturn:
         self.exit(complain(f"{message}; see `{self.prog} --help`", USAGE))

@@ -79,14 +79,14 @@ def read(path: Path) -> State:
             arrays = [file[f"a{n}"] for n in range(len(file.files) - 2)]
             if file["sum"].tobytes() != _sum(tree, arrays):
                 raise Damaged("its checksum does not fit")
-            found = _whole(json.loads(tree), arrays)
+            state = _whole(json.loads(tree), arrays)
     except (Damaged, OSError):
         raise
     except Exception as error:  # whatever numpy, zipfile and json say of broken bytes
         raise Damaged(f"{type(error).__name__}: {str(error)[:200]}") from None
-    if not isinstance(found, dict):
+    if not isinstance(state, dict):
         raise Damaged("it holds no table")
-    return found
+    return state
 
 
 def _sum(tree: bytes, arrays: list[np.ndarray]) -> bytes:

@@ -17,7 +17,7 @@ def split_key(text: str) -> list[str]:
 
 def line_numbers(text: str) -> dict[Keys, int]:
     """Line number of every table header and key that starts a line."""
-    found: dict[Keys, int] = {}
+    numbers: dict[Keys, int] = {}
     count: dict[Keys, int] = {}
 
     def full(keys: list[str]) -> Keys:
@@ -41,9 +41,9 @@ def line_numbers(text: str) -> dict[Keys, int]:
                 count[array] = count.get(array, -1) + 1
             table = full(keys)
             for n in range(1, len(table) + 1):
-                found.setdefault(table[:n], number)
+                numbers.setdefault(table[:n], number)
         elif assignment := _ASSIGNMENT.match(line):
             keys = split_key(assignment[1])
             for n in range(1, len(keys) + 1):
-                found.setdefault((*table, *keys[:n]), number)
-    return found
+                numbers.setdefault((*table, *keys[:n]), number)
+    return numbers

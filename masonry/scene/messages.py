@@ -48,37 +48,37 @@ PLAIN = {
 def explain(error: ValidationError, source: Source) -> SceneError:
     """One error for all findings, the first few in full."""
     findings = _without_echoes(error.errors(include_url=False))
-    lines = [_line(found, source) for found in findings[:MOST]]
+    lines = [_line(messages, source) for messages in findings[:MOST]]
     more = [f"... and {len(findings) - MOST} more"] if len(findings) > MOST else []
-    found = lines + more
-    return Findings(found) if len(found) > 1 else SceneError(*found)
+    messages = lines + more
+    return Findings(messages) if len(messages) > 1 else SceneError(*messages)
 
 
 def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:
     """A misspelt key is one mistake, and the key that is missing for it is not told as well; nor is a list short of
     items because some of them are wrong."""
-    within = {found["loc"][:n] for found in findings for n in range(1, len(found["loc"]))}
-    findings = [found for found in findings if found["type"] != "too_short" or found["loc"] not in within]
-    missing = {found["loc"]: found for found in findings if found["type"] in MISSING}
-    unknown = [found["loc"] for found in findings if found["type"] in UNKNOWN][:100]
+    within = {error["loc"][:n] for error in findings for n in range(1, len(error["loc"]))}
+    findings = [error for error in findings if error["type"] != "too_short" or error["loc"] not in within]
+    missing = {error["loc"]: error for error in findings if error["type"] in MISSING}
+    unknown = [error["loc"] for error in findings if error["type"] in UNKNOWN][:100]
     for *table, name in unknown:
         names = [str(key) for *others, key in missing if others == table]
         if nearest := closest(str(name), names, 0.5):
             del missing[(*table, nearest)]
-    return [found for found in findings if found["type"] not in MISSING or found["loc"] in missing]
+    return [error for error in findings if error["type"] not in MISSING or error["loc"] in missing]
 
 
-def _line(found: ErrorDetails, source: Source) -> str:
-    loc: Keys = tuple(found["loc"])
-    cause = found.get("ctx", {}).get("error")
+def _line(error: ErrorDetails, source: Source) -> str:
+    loc: Keys = tuple(error["loc"])
+    cause = error.get("ctx", {}).get("error")
     if isinstance(cause, KeyedError):
         loc += tuple(split_key(cause.key))
-    if found["type"].startswith("union_tag"):
+    if error["type"].startswith("union_tag"):
         loc += ("kind",)
     path = _in_file(loc, source.raw)
     place = source.place(path)
     key = ".".join(str(part)[:80] for part in path)
-    text = _text(found, loc, str(path[-1]) if path else "", source.raw)
+    text = _text(error, loc, str(path[-1]) if path else "", source.raw)
     return f"{place}: {text}" if place in (key, f"--set {key}") else f"{place}: {key}: {text}"
 
 
@@ -97,8 +97,8 @@ def _in_file(loc: Keys, raw: Any) -> Keys:
     return path
 
 
-def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
-    kind, shown, ctx = found["type"], f"{str(found['input'])[:60]!r}", found.get("ctx", {})
+def _text(error: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
+    kind, shown, ctx = error["type"], f"{str(error['input'])[:60]!r}", error.get("ctx", {})
     if kind == "value_error":
         return str(ctx["error"])
     if kind in UNKNOWN:
@@ -114,21 +114,21 @@ def _text(found: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
         return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], kinds())}; {OWN_BLOCKS}"
     if kind == "literal_error":
         return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
-    return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else found["msg"][:200]
+    return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else error["msg"][:200]
 
 
 def _hint(loc: Keys, name: str, raw: Any) -> str:
     if name in HINTS:
         return f"; {HINTS[name]}"
     field = _fields(loc, raw).get(name)
-    given = next((mark for mark in getattr(field, "metadata", ()) if isinstance(mark, Given)), None)
-    return f"; {name} is {KINDS[given.kind].words}, for example {written(given.kind)}" if given else ""
+    quantity = next((mark for mark in getattr(field, "metadata", ()) if isinstance(mark, Given)), None)
+    return f"; {name} is {KINDS[quantity.kind].words}, for example {written(quantity.kind)}" if quantity else ""
 
 
 def _elsewhere(name: str, raw: Any) -> list[str]:
     """The keys of this name that stand in a table, dotted: of tables that are there, if any; of several groups those
     that have it already."""
-    found = []
+    places = []
     for table in SceneData.model_fields:
         below = raw.get(table)
         if table in ("contact", "material"):
@@ -136,15 +136,15 @@ def _elsewhere(name: str, raw: Any) -> list[str]:
                 [group for group, keys in below.items() if isinstance(keys, dict)] if isinstance(below, dict) else []
             )
             groups = [group for group in groups if name in _fields((table, group, name), raw)]
-            found += [f"{table}.{group}.{name}" for group in [g for g in groups if name in below[g]] or groups]
+            places += [f"{table}.{group}.{name}" for group in [g for g in groups if name in below[g]] or groups]
             continue
         kind = below.get("kind") if isinstance(below, dict) else None
         inside = (table, str(kind), name) if table == "specimen" else (table, name)
         number = ("0",) if isinstance(below, list) else ()
         if name in _fields(inside, raw):
-            found.append(".".join((table, *number, name)))
-    there = [key for key in found if key.partition(".")[0] in raw]
-    return there or found
+            places.append(".".join((table, *number, name)))
+    there = [key for key in places if key.partition(".")[0] in raw]
+    return there or places
 
 
 def _choice(name: str, allowed: list[str]) -> str:

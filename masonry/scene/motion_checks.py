@@ -71,13 +71,13 @@ def _grows(scene: Any) -> None:
         raise KeyedError("gravity.tilt" if scene.gravity.tilt is not None else "gravity.history", alone)
     if scene.motion:
         raise KeyedError("motion.0", alone)
-    for key, given in {
+    for key, is_there in {
         "masses": scene.solver.masses == "real",
         "duration": scene.solver.duration is not None,
         "until": scene.solver.until is not None,
         "damping": scene.solver.damping == 0.0,
     }.items():
-        if given:
+        if is_there:
             raise KeyedError(
                 f"solver.{key}", "a load that grows is balanced by damped motion with scaled masses; leave it out"
             )

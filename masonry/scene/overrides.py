@@ -20,11 +20,11 @@ def apply(source: Source, overrides: Overrides) -> None:
     overrides = [overrides] if isinstance(overrides, str) else overrides
     if not isinstance(overrides, Sequence | Mapping) or not all(isinstance(key, str) for key in overrides):
         raise SceneError(f"{overrides!r:.80}: give {{'key': value}} or ['key=value'], with dotted keys as texts")
-    written, given = (
+    written, settings = (
         ("", dict(overrides)) if isinstance(overrides, Mapping) else ("--set ", dict(map(_split, overrides)))
     )
     keys = {}
-    for key, value in given.items():
+    for key, value in settings.items():
         try:
             path = _set(source.raw, key, _value(value))
         except SceneError as error:

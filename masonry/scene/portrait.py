@@ -21,21 +21,21 @@ def portrait_html(scene: SceneData) -> str:
 
 def portrait_rows(scene: SceneData) -> Rows:
     """A word and its lines, for each part that the scene has."""
-    told = scene.resolved()
+    tables = scene.resolved()
     rows = [
         ("specimen", [_words(scene.specimen.model_dump(exclude_defaults=True))]),
-        ("kinematics", [_words(told["kinematics"])]),
-        ("materials", [f"{group}: {_words(values)}" for group, values in told["material"].items()]),
-        ("contacts", [_contact(scene, group, values) for group, values in told["contact"].items()]),
-        ("scatter", [f"{group}: {_words(values)}" for group, values in told.get("scatter", {}).items()]),
-        ("supports", [f"{held.on}: {', '.join(held.fix)}" for held in scene.support]),
-        ("confinement", [_words(told["confinement"])] if scene.confinement is not None else []),
-        ("traction", [_words(traction) for traction in told.get("traction", ())]),
-        ("fill", [_words(fill) for fill in told.get("fill", ())]),
-        ("gravity", [_words(told["gravity"])] if scene.gravity is not None else []),
-        ("motion", [_words(motion) for motion in told.get("motion", ())]),
-        ("floor", [_words(told.get("floor", {})) or "below"] if scene.floor is not None else []),
-        ("drive", [_words(told["drive"])] if scene.drive is not None else []),
+        ("kinematics", [_words(tables["kinematics"])]),
+        ("materials", [f"{group}: {_words(values)}" for group, values in tables["material"].items()]),
+        ("contacts", [_contact(scene, group, values) for group, values in tables["contact"].items()]),
+        ("scatter", [f"{group}: {_words(values)}" for group, values in tables.get("scatter", {}).items()]),
+        ("supports", [f"{support.on}: {', '.join(support.fix)}" for support in scene.support]),
+        ("confinement", [_words(tables["confinement"])] if scene.confinement is not None else []),
+        ("traction", [_words(traction) for traction in tables.get("traction", ())]),
+        ("fill", [_words(fill) for fill in tables.get("fill", ())]),
+        ("gravity", [_words(tables["gravity"])] if scene.gravity is not None else []),
+        ("motion", [_words(motion) for motion in tables.get("motion", ())]),
+        ("floor", [_words(tables.get("floor", {})) or "below"] if scene.floor is not None else []),
+        ("drive", [_words(tables["drive"])] if scene.drive is not None else []),
         ("gauges", [gauge.name for gauge in scene.gauge]),
         ("assumptions", [f"{len(scene.assumptions)}, see scene.assumptions"] if scene.assumptions else []),
     ]

@@ -55,8 +55,8 @@ class Source:
 
 def packaged() -> dict[str, Traversable]:
     """The scenes that come with the program, by name."""
-    found = (f for f in files("masonry").joinpath("scenes").iterdir() if f.name.endswith(".toml"))
-    return dict(sorted((f.name.removesuffix(".toml"), f) for f in found))
+    scenes = (f for f in files("masonry").joinpath("scenes").iterdir() if f.name.endswith(".toml"))
+    return dict(sorted((f.name.removesuffix(".toml"), f) for f in scenes))
 
 
 def titles() -> dict[str, str]:

@@ -29,11 +29,11 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
         _forget(merged, ("specimen",), ())
     paths = list(_leaves(above))
     _put(merged, above)
-    given = {path[:n] for path in paths for n in range(1, len(path) + 1)}
+    keys = {path[:n] for path in paths for n in range(1, len(path) + 1)}
     for path in paths:
         if path[0] != "assumptions":
-            drop_rivals(merged, path, given)
-            _forget(merged, path, given)
+            drop_rivals(merged, path, keys)
+            _forget(merged, path, keys)
     return merged
 
 
@@ -43,7 +43,7 @@ def _kind(raw: dict[str, Any]) -> Any:
     return specimen.get("kind") if isinstance(specimen, dict) else None
 
 
-def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:
+def drop_rivals(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
     """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them.
 
     The duration of an expression goes with it.
@@ -53,21 +53,21 @@ def drop_rivals(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None
     for n, part in enumerate(path):
         for rival in {key for rivals in RIVALS if part in rivals for key in rivals - {part}}:
             at = (*path[:n], rival)
-            _drop(raw, table, at, given)
+            _drop(raw, table, at, keys)
         listed = part == "history" and isinstance(table, dict) and _is_list(table.get(part))
         if part in ("displacement", "tilt") or listed:
-            _drop(raw, table, (*path[:n], "duration"), given)
+            _drop(raw, table, (*path[:n], "duration"), keys)
         try:
             table = table[part] if isinstance(table, dict | list) else {}
         except (KeyError, IndexError, TypeError):  # what stands above it was set as well, later
             return
 
 
-def _drop(raw: dict[str, Any], table: Any, at: Keys, given: Container[Keys]) -> None:
-    """Take the key at the end of `at` out of its table, unless it is given anew."""
-    if isinstance(table, dict) and at[-1] in table and at not in given:
+def _drop(raw: dict[str, Any], table: Any, at: Keys, keys: Container[Keys]) -> None:
+    """Take the key at the end of `at` out of its table, unless it is among the new keys."""
+    if isinstance(table, dict) and at[-1] in table and at not in keys:
         del table[at[-1]]
-        _forget(raw, at, given)
+        _forget(raw, at, keys)
 
 
 def _is_list(value: Any) -> bool:
@@ -92,10 +92,10 @@ def _leaves(table: dict[str, Any], path: Keys = ()) -> Iterator[Keys]:
             yield (*path, key)
 
 
-def _forget(raw: dict[str, Any], path: Keys, given: Container[Keys]) -> None:
-    """Drop assumptions about a key, or about parts of it, that are not given anew."""
+def _forget(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
+    """Drop assumptions about a key, or about parts of it, that are not among the new keys."""
     assumptions, dotted = raw.get("assumptions"), ".".join(map(str, path))
     if isinstance(assumptions, dict):
         for key in list(assumptions):
-            if (key == dotted or key.startswith(f"{dotted}.")) and ("assumptions", key) not in given:
+            if (key == dotted or key.startswith(f"{dotted}.")) and ("assumptions", key) not in keys:
                 del assumptions[key]

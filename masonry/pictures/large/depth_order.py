@@ -38,16 +38,16 @@ def overlaps(corners: np.ndarray, camera: Camera) -> tuple[np.ndarray, np.ndarra
     steep = normal @ camera.toward
     slope = -camera.project(normal) / steep[:, None]
     level = np.einsum("ni,ni->n", normal, centre) / steep
-    found, second = [np.zeros((0, 2), dtype=np.int64)], [np.zeros(0, dtype=bool)]
+    ordered, second = [np.zeros((0, 2), dtype=np.int64)], [np.zeros(0, dtype=bool)]
     for begin in range(0, len(pairs), CHUNK):
         pair = pairs[begin : begin + CHUNK]
         place, covers = _shared_middle(flat[pair[:, 0]], flat[pair[:, 1]])
         depth = level[pair] + np.einsum("nki,ni->nk", slope[pair], place)
         gap = depth[:, 1] - depth[:, 0]
-        told = covers & (np.abs(gap) > LEVEL * camera.size)
-        found.append(pair[told])
-        second.append(gap[told] > 0.0)
-    return np.concatenate(found), np.concatenate(second)
+        is_clear = covers & (np.abs(gap) > LEVEL * camera.size)
+        ordered.append(pair[is_clear])
+        second.append(gap[is_clear] > 0.0)
+    return np.concatenate(ordered), np.concatenate(second)
 
 
 def _shared_middle(one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -28,11 +28,11 @@ class Cells(Table):
 
     @model_validator(mode="after")
     def _fits_together(self) -> "Cells":
-        given = [name for name in AMOUNTS if getattr(self, name) is not None]
-        if len(given) != 1:
+        amounts = [name for name in AMOUNTS if getattr(self, name) is not None]
+        if len(amounts) != 1:
             raise KeyedError(
-                given[1] if given else "total",
-                f"exactly one of {', '.join(AMOUNTS)} says how many cells, not {' and '.join(given) or 'none'}",
+                amounts[1] if amounts else "total",
+                f"exactly one of {', '.join(AMOUNTS)} says how many cells, not {' and '.join(amounts) or 'none'}",
             )
         if self.kind == "voronoi" and (self.sizes is not None or self.spread > 0):
             key = "spread" if self.sizes is None else "sizes"

@@ -85,11 +85,11 @@ class Contact(Table):
             *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
             *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.law_keys),
         )
-        found = {key: getattr(self, key) for key in keys}
+        values = {key: getattr(self, key) for key in keys}
         if self.normal_dashpot is not None:
-            found["normal_dashpot"] = self.normal_dashpot
+            values["normal_dashpot"] = self.normal_dashpot
         default = "plastic" if turns_back else "displacement"
-        return {**found, "softening_variable": self.softening_variable or default}
+        return {**values, "softening_variable": self.softening_variable or default}
 
     @property
     def tan_friction(self) -> float | None:
@@ -109,9 +109,9 @@ class Contact(Table):
             raise KeyedError("exponent_shear_table", "write the table as exponent_shear = {'0.1 MPa' = 2.1, ...}")
         law = (info.context or {}).get("law")
         data = data if "law" in data or law is None else {"law": law, **data}
-        if isinstance(given := data.get("exponent_shear"), dict):
+        if isinstance(exponents := data.get("exponent_shear"), dict):
             try:
-                table = _read_table(given)
+                table = _read_table(exponents)
                 value = interpolate(table, confinement_of(info, "exponent_shear by confinement"))
             except ValueError as error:
                 raise KeyedError("exponent_shear", str(error)) from None
@@ -152,11 +152,11 @@ def _tangent(tangent: float | None, angle: float | None) -> float | None:
     return math.tan(angle) if tangent is None and angle is not None else tangent
 
 
-def _read_table(given: dict[Any, Any]) -> tuple[tuple[float, float], ...]:
+def _read_table(exponents: dict[Any, Any]) -> tuple[tuple[float, float], ...]:
     """{"0.1 MPa" = 2.1, ...} -> ((Pa, exponent), ...), ascending."""
     rows = sorted(
         (convert(stress, "stress", "the confinement", "[0, inf)"), convert(value, "number", "the exponent", "(1, inf)"))
-        for stress, value in given.items()
+        for stress, value in exponents.items()
     )
     if not rows or any(low == high for (low, _), (high, _) in pairwise(rows)):
         raise ValueError("a table by confinement needs one or more rows, each at its own confinement")

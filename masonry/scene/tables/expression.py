@@ -50,13 +50,13 @@ def read(text: str, kind: str) -> Callable[[Values], Values]:
     if len(text) > LONGEST:
         raise ValueError(f"an expression of {len(text)} characters; at most {LONGEST} are allowed")
     reader = _Reader(text)
-    found = reader.sum()
+    term = reader.sum()
     reader.end()
     wanted = UNITS.get(kind, (0, 0))
-    if found.powers != wanted:
-        is_a = WORDS.get(found.powers, f"in m^{found.powers[0]} s^{found.powers[1]}")
+    if term.powers != wanted:
+        is_a = WORDS.get(term.powers, f"in m^{term.powers[0]} s^{term.powers[1]}")
         raise ValueError(f"the expression is {is_a}, and must be {WORDS[wanted]}")
-    return found.at
+    return term.at
 
 
 class _Reader:
@@ -154,11 +154,11 @@ class _Reader:
         self.depth += 1
         if self.depth > DEEPEST:
             raise self.fail(f"more than {DEEPEST} parentheses within each other")
-        found = self.sum()
+        term = self.sum()
         if not self.take(")"):
             raise self.fail("expected ')', or + - * /")
         self.depth -= 1
-        return found
+        return term
 
     def call(self, name: str) -> Term:
         """A function of a plain number."""

@@ -46,8 +46,8 @@ class Timed:
         direction = np.sign(np.where(np.abs(made) > FLAT * most, made, 0.0))
         moving = np.flatnonzero(direction)
         reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
-        found = [self._closer(t[max(k - 1, 0)], t[k + 1], direction[k] < 0) for k in reversals]
-        places = np.array([0.0, *found, float(value[-1])])
+        turns = [self._closer(t[max(k - 1, 0)], t[k + 1], direction[k] < 0) for k in reversals]
+        places = np.array([0.0, *turns, float(value[-1])])
         return tuple(places[1:][np.abs(np.diff(places)) > START * most].tolist())
 
     def _closer(self, low: float, high: float, top: bool) -> float:
@@ -101,18 +101,18 @@ def _reversals(points: Any, kind: str, what: str) -> tuple[float, ...]:
 
 def _table(rows: Any, kind: str) -> Table:
     """Times and values, from 0 s on."""
-    found = []
+    table = []
     for k, row in enumerate(rows):
         if len(row) != 2:
             raise ValueError(f"row {k} must hold a time and a {KINDS[kind].words.split()[-1]}, as ['1 s', ...]")
         time = convert(row[0], "time", f"time of row {k}", "[0, 1e9]")
-        found.append((time, float(convert(row[1], kind, f"value of row {k}", FARTHEST[kind]))))
-        if (time != 0.0) if k == 0 else (time <= found[k - 1][0]):
-            wanted = "be 0 s" if k == 0 else f"be later than the one before, {found[k - 1][0]:g} s"
+        table.append((time, float(convert(row[1], kind, f"value of row {k}", FARTHEST[kind]))))
+        if (time != 0.0) if k == 0 else (time <= table[k - 1][0]):
+            wanted = "be 0 s" if k == 0 else f"be later than the one before, {table[k - 1][0]:g} s"
             raise ValueError(f"time of row {k}, {row[0]!r}, must {wanted}")
-    if len(found) < 2:
+    if len(table) < 2:
         raise ValueError("a table of one row; it must have two or more")
-    return tuple(found)
+    return tuple(table)
 
 
 def written(history: History, kind: str) -> Any:
@@ -135,13 +135,13 @@ def timed(history: History, duration: float | None, kind: str) -> Timed:
         return Timed(float(table[-1, 0]), PchipInterpolator(table[:, 0], table[:, 1]))
     if duration is None:
         raise KeyedError("duration", "missing; an expression needs it, for example duration = '4 s'")
-    found = Timed(duration, expression.read(history, kind))
+    path = Timed(duration, expression.read(history, kind))
     with np.errstate(all="ignore"):
-        finite = np.isfinite(found.at(np.linspace(0.0, duration, LOOKS)))
+        finite = np.isfinite(path.at(np.linspace(0.0, duration, LOOKS)))
     if not finite.all():
         when = duration * int(np.argmin(finite)) / (LOOKS - 1)
         raise KeyedError("history", f"the expression has no finite value at t = {when:g} s")
-    return found
+    return path
 
 
 def is_timed(history: History | None) -> bool:

@@ -31,13 +31,13 @@ def is_law(name: Any) -> bool:
         return False
 
 
-def contact_class(law: Any, given: Iterable[str]) -> type[Contact]:
+def contact_class(law: Any, scene_keys: Iterable[str]) -> type[Contact]:
     """The table of a contact group: `Contact`, with the keys of a law of another package.
 
-    given  the keys that a scene has there; those of laws that it does not use are let through, as those of ours are
+    scene_keys  the keys that a scene has there; those of laws that it does not use pass, as those of ours do
     """
     keys: dict[str, Given] = {} if law in law_names() or not is_law(law) else keys_of(law)
-    unknown = set(given) - set(Contact.model_fields) - set(keys)
+    unknown = set(scene_keys) - set(Contact.model_fields) - set(keys)
     if unknown:
         keys = dict(_of_others(unknown)) | keys
     return _with_keys(tuple(keys.items())) if keys else Contact
@@ -46,18 +46,18 @@ def contact_class(law: Any, given: Iterable[str]) -> type[Contact]:
 @cache
 def keys_of(law: str) -> dict[str, Given]:
     """Own keys of a law of another package, with what they hold; SceneError where they do not fit into a scene."""
-    found = plugin_law(law)
-    assert found is not None
-    where = f"law '{law}' of {found.origin}"
-    for key in found.keys:
+    plugin = plugin_law(law)
+    assert plugin is not None
+    where = f"law '{law}' of {plugin.origin}"
+    for key in plugin.keys:
         if key in Contact.model_fields or not key.isidentifier() or key.startswith("_"):
             raise SceneError(
                 f"{where}: KEYS: '{key}' cannot be a key of its own: every contact has it, or no scene can"
             )
-    for key in found.parameters.values():
-        if key not in found.keys and key not in Contact.model_fields:
+    for key in plugin.parameters.values():
+        if key not in plugin.keys and key not in Contact.model_fields:
             raise SceneError(f"{where}: no contact has the key '{key}'; name its kind: KEYS = {{'{key}': 'stress'}}")
-    return {key: _given(where, key, text) for key, text in found.keys.items()}
+    return {key: _given(where, key, text) for key, text in plugin.keys.items()}
 
 
 def _given(where: str, key: str, text: str) -> Given:
@@ -75,14 +75,14 @@ def _of_others(unknown: set[str]) -> Iterator[tuple[str, Given]]:
     """Which of some keys are those of any law of another package that works, with what they hold."""
     for law in filter(is_law, plugin_law_names()):
         try:
-            yield from ((key, given) for key, given in keys_of(law).items() if key in unknown)
+            yield from ((key, quantity) for key, quantity in keys_of(law).items() if key in unknown)
         except SceneError:
             continue
 
 
 @cache
 def _with_keys(keys: tuple[tuple[str, Given], ...]) -> type[Contact]:
-    fields: dict[str, Any] = {key: (Annotated[float, given] | None, None) for key, given in keys}
+    fields: dict[str, Any] = {key: (Annotated[float, quantity] | None, None) for key, quantity in keys}
     made: type[Contact] = create_model("Contact", __base__=Contact, **fields)
     return made
 

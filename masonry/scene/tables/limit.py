@@ -76,13 +76,13 @@ class LimitLoad(Table):
     def _has_its_keys(self) -> "LimitLoad":
         mine = KEYS[self.pattern]
         for key in type(self).model_fields:
-            given = getattr(self, key) is not None
+            is_there = getattr(self, key) is not None
             if key in OF_RUNS:
                 continue
-            if key != "pattern" and given and key not in mine:
+            if key != "pattern" and is_there and key not in mine:
                 others = [name for name, keys in KEYS.items() if key in keys]
                 raise KeyedError(key, f"belongs to pattern = {' or '.join(map(repr, others))}; leave it out")
-            if key in mine and not given and key not in OPTIONAL:
+            if key in mine and not is_there and key not in OPTIONAL:
                 raise KeyedError(key, f"missing; pattern = '{self.pattern}' needs it, for example {EXAMPLES[key]}")
         if self.accuracy is not None and self.pattern == "drive":
             raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
@@ -97,8 +97,8 @@ class LimitLoad(Table):
 
     def _can_be_led(self) -> None:
         if (self.control is None) != (self.until is None):
-            missing, given = ("until", "control") if self.until is None else ("control", "until")
-            raise KeyedError(missing, f"missing; {given} needs it: control = a gauge's name, until = '80 mm'")
+            missing, other = ("until", "control") if self.until is None else ("control", "until")
+            raise KeyedError(missing, f"missing; {other} needs it: control = a gauge's name, until = '80 mm'")
         if self.control is not None and self.accuracy is None:
             raise KeyedError("control", "is led on when the load has collapsed, in a run: it needs accuracy = '1 %'")
         if self.until == 0.0:

@@ -147,11 +147,11 @@ class Drive(Table):
 
     @model_validator(mode="after")
     def _has_one_pace(self) -> "Drive":
-        given = [key for key in ("accuracy", "rate", "steps") if getattr(self, key) is not None]
-        if len(given) > 1:
-            raise KeyedError(given[-1], f"{' and '.join(given)} exclude each other; keep one of them")
+        paces = [key for key in ("accuracy", "rate", "steps") if getattr(self, key) is not None]
+        if len(paces) > 1:
+            raise KeyedError(paces[-1], f"{' and '.join(paces)} exclude each other; keep one of them")
         own_time = self.history is not None and is_timed(self.history)
-        return self if given or own_time else self.model_copy(update={"accuracy": 0.01})
+        return self if paces or own_time else self.model_copy(update={"accuracy": 0.01})
 
 
 class Traction(Table):

@@ -85,11 +85,11 @@ class Gravity(Table):
         axis, angle = np.eye(3)["xyz".index(self.tilt.about)], self.tilt.angle
         time = 1.0 if self.tilt.duration is None else self.tilt.duration
         along = axis * (axis @ whole)
-        found: dict[str, tuple[np.ndarray, Timed | None]] = {
+        rotated: dict[str, tuple[np.ndarray, Timed | None]] = {
             "gravity cos": (whole - along, Timed(time, lambda t: np.cos(angle * (t / time)))),
             "gravity sin": (np.cross(axis, whole), Timed(time, lambda t: np.sin(angle * (t / time)))),
         }
-        return found | ({"gravity": (along, None)} if along.any() else {})
+        return rotated | ({"gravity": (along, None)} if along.any() else {})
 
     @property
     def paths(self) -> list[Timed]:

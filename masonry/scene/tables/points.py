@@ -45,7 +45,7 @@ PointsPerFace = Annotated[int, Given("integer", "[1, 1e5]")]
 
 def one_density(table: Any) -> Any:
     """Raw values in which points_per_edge has its default only where nothing else is said; KeyedError for two."""
-    given = [key for key in DENSITIES if isinstance(table, dict) and table.get(key) is not None]
-    if len(given) > 1:
-        raise KeyedError(given[1], f"{' and '.join(given)} exclude each other; keep one of them")
-    return table if given in ([], ["points_per_edge"]) else {**table, "points_per_edge": None}
+    densities = [key for key in DENSITIES if isinstance(table, dict) and table.get(key) is not None]
+    if len(densities) > 1:
+        raise KeyedError(densities[1], f"{' and '.join(densities)} exclude each other; keep one of them")
+    return table if densities in ([], ["points_per_edge"]) else {**table, "points_per_edge": None}

@@ -72,8 +72,8 @@ def unchanged(name: object) -> SceneError:
 class ReadOnly(dict[str, Any]):
     """A table of tables by name that stays as it is."""
 
-    def _refuse(self, *given: Any, **more: Any) -> NoReturn:
-        raise unchanged(str(given[0])[:80] if given else "this table")
+    def _refuse(self, *arguments: Any, **more: Any) -> NoReturn:
+        raise unchanged(str(arguments[0])[:80] if arguments else "this table")
 
     __setitem__ = __delitem__ = pop = popitem = update = setdefault = clear = __ior__ = _refuse
 
@@ -111,10 +111,10 @@ def confinement_of(info: core_schema.ValidationInfo[Any], what: str) -> float:
 
 def _halves(value: Any, info: ValidationInfo) -> float:
     """A whole number, or one and a half."""
-    found = convert(value, "number", info.field_name or "", "[1, 1000]")
-    if not (2 * found).is_integer():
-        raise ValueError(f"{found:g} is neither a whole number nor one and a half; nearest: {round(2 * found) / 2:g}")
-    return int(found) if found.is_integer() else found
+    number = convert(value, "number", info.field_name or "", "[1, 1000]")
+    if not (2 * number).is_integer():
+        raise ValueError(f"{number:g} is neither a whole number nor one and a half; nearest: {round(2 * number) / 2:g}")
+    return int(number) if number.is_integer() else number
 
 
 Length = Annotated[float, Given("length", "[1e-9, 1e5]")]

@@ -40,8 +40,8 @@ class SpecimenTable(Table):
     def _has_corners(self) -> "SpecimenTable":
         if self.contact_points == "vertex":
             for key, number in (("points_per_edge", 2), ("points_per_face", 4)):
-                given = getattr(self, key)
-                if given is not None and fewest(given) < number:
+                points = getattr(self, key)
+                if points is not None and fewest(points) < number:
                     raise KeyedError(key, f"must be {number} or more with contact_points = 'vertex'")
         return self
 
