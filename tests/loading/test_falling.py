@@ -11,7 +11,7 @@ import verification
 from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
-from masonry.loading.collapse.branch import Falling
+from masonry.loading.collapse.branch import Branch
 from masonry.loading.collapse.settings import FALLING
 from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.scene import load as load_scene
@@ -76,7 +76,7 @@ def test_a_gauge_that_is_stopped_on_its_way_ends_the_branch_late(monkeypatch):
     """The block slides 0.5 mm and meets a stone that is held. With the patience that runs have, the load would press it
     into the stone until the gauge is where it was to be led, or until the factor is at up_to."""
     impatient = replace(FALLING, patience=1.0)
-    monkeypatch.setattr(Falling.__init__, "__defaults__", (impatient,))
+    monkeypatch.setattr(Branch.__init__, "__defaults__", (impatient,))
     boxes = [
         box("base", (-0.5, 0, -0.1), (1.0, 0.2, 0.1), "units", 0),
         box("block", (-0.1, 0, 0), (0.2, 0.2, 0.1), "units", 1),
@@ -163,7 +163,7 @@ def test_a_slender_block_bears_ever_less_until_it_stands_over_its_toe(arm):
 def test_half_the_share_for_the_motion_takes_root_2_as_many_steps(monkeypatch):
     scene, steps = led("20 mm", displacements="large"), []
     for share in (1.0, 0.5, 0.25):
-        monkeypatch.setattr(Falling.__init__, "__defaults__", (replace(FALLING, aim=share),))
+        monkeypatch.setattr(Branch.__init__, "__defaults__", (replace(FALLING, aim=share),))
         result = masonry.run(scene)
         steps.append(result.summary["collapse_load"]["branch"]["steps"])
         way, factor = branch(result)

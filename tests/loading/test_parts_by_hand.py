@@ -14,7 +14,7 @@ from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.pace import Pace
 from masonry.loading.collapse.settings import GROWING
-from masonry.loading.collapse.watching import Gathering
+from masonry.loading.collapse.watching import FallWatch
 from masonry.loading.drive.utilisation import utilisation
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import places, reach, relative_travel
@@ -38,7 +38,7 @@ def enclosed(path: FactorPath, falls_from: float) -> tuple[Enclosing, list[float
                 return search, tried
         else:
             search.fail()
-            if search.found:
+            if search.is_narrow:
                 return search, tried
             search.go_on()
     raise AssertionError("no end")
@@ -184,7 +184,7 @@ def test_a_drift_is_told_from_a_swing_by_the_masses_and_the_swing_alone_is_brake
 
 def gathering(travels: list[float]) -> list[bool]:
     """Whether a specimen accelerates by these travels, a window of ten looks each."""
-    watched = Gathering(SimpleNamespace(damping=0.8), GROWING)
+    watched = FallWatch(SimpleNamespace(damping=0.8), GROWING)
     return [watched.accelerates(travel) for travel in np.repeat(travels, 10)][9::10]
 
 

@@ -137,7 +137,7 @@ def test_the_leg_of_a_fall_is_enclosed_to_a_share_of_the_greatest_factor_that_wa
             search.bear()
         else:
             search.fail()
-            if search.found:
+            if search.is_narrow:
                 break
         assert search.go_on()
     assert search.borne >= -0.0123 > search.fallen

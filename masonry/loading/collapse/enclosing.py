@@ -1,6 +1,6 @@
 """The factor of a load that grows, enclosed: what was borne, what was not, and what is tried next.
 
-A load that goes to and fro makes its way leg by leg, from one of its turning points to the next, each leg as a load
+A load that goes to and fro goes leg by leg, from one of its turning points to the next, each leg as a load
 that grows.
 """
 
@@ -8,21 +8,22 @@ from math import inf, log
 
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.settings import GrowingSettings
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state import Remembering
 
-REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""
 SLIVER = 1e-6
 """Share of an increment that is not left over at the end of a leg: it is but rounding of the sum of increments."""
 
 
-class Enclosing:
-    """How far a load has come on its way, and by how much it is raised.
+class Enclosing(Remembering):
+    """How far a load has come on its path, and by how much it is raised.
 
     leg     number of the present one; what follows are factors less that at its start, along it:
     stands  the greatest that was borne     falls  the least that was not; inf if none     target  what is tried
     """
+
+    REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
 
     def __init__(self, path: FactorPath, least: float, settings: GrowingSettings) -> None:
         """least: factor below which a load is none"""
@@ -54,7 +55,7 @@ class Enclosing:
         return max(self.settings.first, self.settings.coarsest * self.stands)
 
     @property
-    def found(self) -> bool:
+    def is_narrow(self) -> bool:
         """Whether the factor is enclosed as narrowly as was asked for."""
         return self.falls - self.stands <= self.narrow
 
@@ -96,7 +97,7 @@ class Enclosing:
             self.greatest = max(self.greatest, abs(self.borne))
             self.leg, self.stands, self.falls, self.increment = self.leg + 1, 0.0, inf, self.longest
         elif self.falls < inf:
-            self.increment = (self.falls - self.stands) * (1.0 if self.found else 0.5)
+            self.increment = (self.falls - self.stands) * (1.0 if self.is_narrow else 0.5)
         return True
 
     def progress(self) -> int:
@@ -107,11 +108,3 @@ class Enclosing:
         if self.falls == inf:
             return 500 * self.trials // (self.trials + 20)
         return 500 + int(450 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0))))
-
-    def state(self) -> State:
-        """All that the next trial depends on."""
-        return attributes(self, REMEMBERED)
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        load_attributes(self, REMEMBERED, state)

@@ -12,34 +12,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.configuration import energy, model_state
 from masonry.configuration.chunk import Chunk
-from masonry.loading.collapse.branch import Falling
-from masonry.loading.collapse.enclosing import Enclosing
+from masonry.loading.collapse.branch import Branch
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
-from masonry.loading.collapse.pace import Pace
+from masonry.loading.collapse.phases import PHASES, EndPhase, Phase, SettlingPhase
 from masonry.loading.collapse.settings import FALLING, GROWING, GrowingSettings
-from masonry.loading.collapse.watching import Gathering
-from masonry.loading.loading import Arrays, Expected, Loading
-from masonry.loading.moves.travels import Limits, Travels
+from masonry.loading.collapse.trials import FactorLoad, Tally, Trials
+from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan
 from masonry.loading.scheduled import Program
-from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
-from masonry.monitors.settling import unbalanced
 from masonry.rows.columns import FACTOR, OFF_BALANCE
-from masonry.runtime.state import State, attributes, load_attributes
-
-REMEMBERED = (
-    *("phase", "factor", "calm", "slowest", "undecided", "looked"),
-    *("steps_of_trial", "risen", "falls_by_turning", "swayed"),
-)
-SETTLES, RISES, WAITS, SHOWS, DROPS, LEADS, OVER = "settles", "rises", "waits", "shows", "drops", "leads", "over"
-"""Phases: dead loads settle; the factor rises; a trial is watched; its rest is shown; the fall is followed, or a gauge
-is led on; the end."""
-
+from masonry.runtime.state import State
 
 TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 20, 2000, 5
 """What a run takes: trials, the steps of one at least, and rows of one, with the fall's."""
@@ -94,7 +80,10 @@ class Growing(PacedPlan):
 
 
 class GrowingLoading(Loading):
-    """The chunks of a run whose load grows."""
+    """The chunks of a load that grows, phase by phase (phases.py).
+
+    trials  what the phases go by     turned  whether a block has turned too far in the last chunk
+    """
 
     def __init__(
         self,
@@ -105,207 +94,56 @@ class GrowingLoading(Loading):
         settings: GrowingSettings = GROWING,
     ) -> None:
         """Gauges  stand still at a rest; the one that the plan names is led on behind the collapse"""
-        self.model, self.plan, self.settings = model, plan, settings
-        self.settling = plan.settling().loading(model, max(1, rows // 10))
-        self.loads = SharedLoads(model, 0 if plan.layers is None else len(plan.layers))
-        limits = Limits(settings.still, settings.reading, settings.away, settings.usual)
-        self.travels = Travels(model, limits, gauges)
-        self.size = self.travels.size
-        least = settings.at_rest * plan.path.accuracy * self.loads.rest_over_each()
-        self.enclosing, self.gathering = Enclosing(plan.path, least, settings), Gathering(model, settings)
-        self.fall, self.most_looks = self.size * settings.fall, settings.fall_looks
-        if model.large is not None:
-            self.fall, self.most_looks = self.size * settings.far, settings.far_looks
-        self.phase, self.factor = SETTLES, 0.0
-        self.rested: Arrays = {}
-        self.pace, self.booked = Pace(plan.path.accuracy, settings), energy.works(model)
-        self.calm = self.undecided = self.looked = self.steps_of_trial = self.risen = self.slowest = 0
-        self.swayed = 0.0
-        self.turned = self.falls_by_turning = False
-        self.branch = None
+        self.plan, branch = plan, None
+        settling = plan.settling().loading(model, max(1, rows // 10))
+        layers = 0 if plan.layers is None else len(plan.layers)
+        load = FactorLoad(model, plan.path, float(plan.dead_load[-1]), layers)
         if plan.control is not None:
             gauge = next(gauge for gauge in gauges if gauge.name == plan.control.gauge)
-            self.branch = Falling(model, plan.path, gauge, plan.control.until)
-
-    def load_factors(self) -> np.ndarray:
-        """(L + H,) of the loads that come on in layers, and of those that grow, now."""
-        growing = self.plan.path.load_factors(self.factor)
-        return np.concatenate([self.settling.load_factors()[: -len(growing)], growing])
-
-    def columns(self) -> dict[str, float]:
-        """What a row says besides."""
-        return {FACTOR: self.factor} | ({} if self.branch is None else {OFF_BALANCE: self.branch.off})
+            branch = Branch(model, plan.path, gauge, plan.control.until)
+        self.trials = Trials(model, load, settling, branch, Tally(plan.settle // 4), gauges, settings)
+        self.phase: Phase = SettlingPhase(self.trials)
+        self.turned = False
 
     def next(self) -> Chunk | None:
         """The next chunk; None when the fall was followed, or the load has come to its end."""
-        if self.phase == SETTLES:
-            waiting = self.settling.next()
-            if waiting is not None:
-                return waiting
-            self.travels.look()
-            self.keep()
-            self.begin()
-        if self.phase == OVER:
-            return None
-        if self.phase == LEADS and self.branch is not None:
-            return self.passing(self.branch.factor, self.branch.look, self.branch.row_due)
-        if self.phase == RISES:
-            return self.passing(self.rising(), self.settings.look)
-        factor = self.enclosing.tried if self.phase == DROPS else self.factor  # it may fall before it is there
-        return self.passing(factor, self.settings.look, self.phase in (SHOWS, DROPS))
-
-    @property
-    def window(self) -> int:
-        """Looks by which patience is measured: a quarter of the slowest rest, or of a quarter of the settling."""
-        return max(self.settings.window, max(self.slowest, self.plan.settle // 4) // (4 * self.settings.look))
-
-    def passing(self, factor: float, steps: int, row: bool = False) -> Chunk:
-        """Some steps in which the factor goes to another one."""
-        dead = np.full(steps + 1, float(self.plan.dead_load[-1]))
-        begin, end = (self.plan.path.load_factors(one) for one in (self.factor, factor))
-        load_factor = self.loads.pass_over(begin, end, steps)
-        self.factor = factor
-        return Chunk(dead + load_factor, np.zeros(steps + 1), row)
-
-    def keep(self) -> None:
-        """The specimen rests here: trials begin from here."""
-        self.rested, self.booked = model_state.state(self.model), energy.works(self.model)
-        self.travels.rest()
-
-    def begin(self) -> None:
-        """Set out for a higher factor."""
-        self.enclosing.begin()
-        self.travels.begin()
-        self.gathering.begin(self.window, self.travels.most)
-        self.phase, self.calm, self.steps_of_trial, self.risen = RISES, 0, 0, 0
-
-    def rising(self) -> float:
-        """The factor behind the next look, on its way to the one that is tried."""
-        borne, tried, passed = self.enclosing.borne, self.enclosing.tried, (self.risen + 1) / self.looks_of_rise
-        return tried if passed >= 1.0 else borne + passed * (tried - borne)
-
-    @property
-    def looks_of_rise(self) -> int:
-        """Looks in which the factor rises to the one that is tried."""
-        return round(self.pace.slower * self.window)
+        chunk = self.phase.chunk()
+        if chunk is None:
+            self.phase = self.phase.following()
+            chunk = self.phase.chunk()
+        return chunk
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""
-        if self.phase in (SETTLES, OVER):
-            return
-        if self.turned:
-            self.end_by_turning()
-            return
-        self.steps_of_trial += self.settings.look
-        self.travels.look()
-        if self.phase == RISES:
-            self.rise()
-        elif self.phase == WAITS:
-            self.judge(before)
-        elif self.phase == SHOWS:
-            self.go_on()
-        elif self.phase == LEADS and self.branch is not None:
-            self.phase = self.phase if self.branch.goes_on(before) else OVER
-        else:
-            self.looked += 1
-            self.gathering.brake(before, self.travels.alone_or_none())
-            self.phase = OVER if self.dropped or self.looked >= self.most_looks else DROPS
-
-    @property
-    def dropped(self) -> bool:
-        """Whether the fall has been followed for long enough to show who moves."""
-        if self.travels.alone.any():
-            return self.travels.fallen(self.fall / (self.settings.away * self.size))
-        return self.travels.travelled > self.fall
+        self.phase = self.phase.turned() if self.turned else self.phase.look(before)
+        self.turned = False
 
     def turned_too_far(self) -> bool:
         """A block has turned further than small displacement allows: whether this is no more than the end of a trial,
         or of the fall that is followed."""
-        self.turned = self.phase in (RISES, WAITS, DROPS, LEADS)
-        if self.phase == LEADS and self.branch is not None:
-            self.branch.turned()
+        self.turned = self.phase.bears_turns
         return self.turned
 
-    def end_by_turning(self) -> None:
-        """A trial in which a block turns too far did not come to rest."""
-        self.turned = False
-        if self.phase in (DROPS, LEADS):
-            self.phase = OVER
-            return
-        self.fail(turning=True)
+    def load_factors(self) -> np.ndarray:
+        """(L + H,) of the loads that come on in layers, and of those that grow, now."""
+        growing = self.plan.path.load_factors(self.trials.load.factor)
+        return np.concatenate([self.trials.settling.load_factors()[: -len(growing)], growing])
 
-    def rise(self) -> None:
-        """The factor goes on, unless the specimen falls already."""
-        self.risen += 1
-        if self.travels.travelled > self.travels.away:
-            self.fail()
-        elif self.risen >= self.looks_of_rise:
-            self.phase = WAITS
-
-    def judge(self, before: list[np.ndarray]) -> None:
-        """Whether the specimen rests, accelerates, or has still to be waited for."""
-        now = energy.observe(self.model)
-        kinetic, stored = abs(energy.kinetic(self.model, before)), now.elastic_blocks + now.elastic_contacts
-        loose = unbalanced(self.model, before) > self.settings.at_rest * self.plan.path.accuracy
-        rests = not loose and kinetic <= self.settings.still * stored
-        alone = rests and self.travels.moves_alone(before, self.settings.at_rest * self.plan.path.accuracy, self.calm)
-        self.calm = self.calm + 1 if rests and not alone else 0
-        travelled = self.travels.travelled
-        far = travelled > self.travels.away or self.travels.fallen()
-        if self.calm >= self.settings.looks:
-            self.bear()
-        elif far or self.gathering.falls(before, self.rested, travelled, self.travels.alone_or_none(alone)):
-            self.fail()
-        elif self.gathering.too_long:
-            self.undecided += 1
-            self.fail()
-
-    def bear(self) -> None:
-        """The factor is borne: a row shows it, and the next trial goes on from here."""
-        if self.branch is not None:
-            self.branch.learn(self.rested, self.enclosing.target - self.enclosing.stands)
-        self.enclosing.bear()
-        if self.plan.path.reversals:
-            _, damped, work, *_ = energy.works(self.model) - self.booked
-            self.pace.learn(work, -damped)
-        self.slowest = max(self.slowest, self.steps_of_trial)
-        self.swayed = self.travels.sways()
-        self.keep()
-        self.phase = SHOWS
-
-    def go_on(self) -> None:
-        """The next trial, after a rest; where the factor is known, the one that follows the fall."""
-        if self.enclosing.go_on():
-            self.begin()
-        else:
-            self.phase = OVER
-
-    def fail(self, turning: bool = False) -> None:
-        """The factor is not borne: go back to where the specimen rested, or follow the fall from here."""
-        if self.enclosing.fail():
-            self.falls_by_turning = turning
-        stands, falls = self.enclosing.stands, self.enclosing.falls
-        if self.enclosing.found and (self.branch is None or not self.branch.begin(self.rested, stands, falls)):
-            self.phase, self.looked = DROPS, 0
-            return
-        model_state.restore(self.model, self.rested)
-        self.gathering.hold()
-        self.factor = self.enclosing.borne
-        if self.enclosing.found:
-            self.phase = LEADS
-        else:
-            self.go_on()
+    def columns(self) -> dict[str, float]:
+        """The factor, and how far it is from equilibrium on a branch."""
+        factor, branch = self.trials.load.factor, self.trials.branch
+        return {FACTOR: factor} | ({} if branch is None else {OFF_BALANCE: branch.account.off})
 
     def progress(self) -> tuple[int, int]:
         """How far the factor is known, in thousandths; where a gauge is to be led on, that is the first half."""
-        if self.phase == OVER:
+        if self.phase.name == EndPhase.name:
             return 1000, 1000
-        enclosed = self.enclosing.progress()
-        return enclosed if self.branch is None else self.branch.progress(enclosed), 1000
+        enclosed, branch = self.trials.enclosing.progress(), self.trials.branch
+        return enclosed if branch is None else branch.progress(enclosed), 1000
 
     def outcome(self) -> CollapseOutcome:
         """The interval of the factor, the mechanism, and the branch behind it."""
-        enclosing = self.enclosing
+        trials, enclosing, tally = self.trials, self.trials.enclosing, self.trials.tally
         return CollapseOutcome(
             pattern=self.plan.pattern,
             path=self.plan.path,
@@ -314,37 +152,20 @@ class GrowingLoading(Loading):
             falls=enclosing.fallen,
             trials=enclosing.trials,
             leg=enclosing.leg + 1,
-            undecided=self.undecided,
-            falls_by_turning=self.falls_by_turning,
-            swayed=self.swayed / self.size,
-            freely=self.model.large is not None,
-            mechanism=self.travels.relative(),
-            branch=None if self.branch is None else self.branch.outcome(),
+            undecided=tally.undecided,
+            falls_by_turning=tally.falls_by_turning,
+            swayed=tally.swayed / trials.travels.size,
+            freely=trials.freely,
+            mechanism=trials.travels.relative(),
+            branch=None if trials.branch is None else trials.branch.outcome(),
         )
 
     def state(self) -> State:
-        """All that the next chunk depends on."""
-        return {
-            **attributes(self, REMEMBERED),
-            "rested": self.rested,
-            "travels": self.travels.state(),
-            "settling": self.settling.state(),
-            "enclosing": self.enclosing.state(),
-            "gathering": self.gathering.state(),
-            "pace": self.pace.state(),
-            "booked": self.booked,
-            **({} if self.branch is None else {"branch": self.branch.state()}),
-        }
+        """The trials, the phase, and what that has seen."""
+        return {"trials": self.trials.state(), "phase": self.phase.name, "looks": self.phase.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        load_attributes(self, REMEMBERED, state)
-        self.rested = state["rested"]
-        self.travels.restore(state["travels"])
-        self.settling.restore(state["settling"])
-        self.enclosing.restore(state["enclosing"])
-        self.gathering.restore(state["gathering"])
-        self.pace.restore(state["pace"])
-        self.booked = state["booked"]
-        if self.branch is not None:
-            self.branch.restore(state["branch"])
+        self.trials.restore(state["trials"])
+        self.phase = PHASES[state["phase"]](self.trials)
+        self.phase.restore(state["looks"])

@@ -3,14 +3,14 @@
 import numpy as np
 
 from masonry.loading.collapse.settings import GrowingSettings
-from masonry.runtime.state import State, attributes, load_attributes
-
-REMEMBERED = ("slower", "work", "increments")
+from masonry.runtime.state import Remembering
 
 
-class Pace:
+class Pace(Remembering):
     """Times by which increments take longer than they would, from what damping took of those before: that falls as they
     take longer."""
+
+    REMEMBERED = ("slower", "work", "increments")
 
     def __init__(self, accuracy: float, settings: GrowingSettings) -> None:
         self.accuracy, self.settings = accuracy, settings
@@ -22,11 +22,3 @@ class Pace:
         aim = self.settings.damped * self.accuracy * self.work / self.increments
         change = np.clip(damped / max(aim, 1e-300), self.settings.hastens, self.settings.slows)
         self.slower = float(np.clip(self.slower * change, 1.0, self.settings.slowest))
-
-    def state(self) -> State:
-        """All that it goes by."""
-        return attributes(self, REMEMBERED)
-
-    def restore(self, state: State) -> None:
-        """Go on from there."""
-        load_attributes(self, REMEMBERED, state)

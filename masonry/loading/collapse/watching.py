@@ -14,18 +14,18 @@ from masonry.loading.collapse.settings import GrowingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, moved_since
 from masonry.model.model import Model
-from masonry.runtime.state import State, attributes, load_attributes
-
-REMEMBERED = ("window", "usual", "looked", "dragged", "travels", "means")
+from masonry.runtime.state import Remembering, State
 
 
-class Gathering:
+class FallWatch(Remembering):
     """The travel since the last rest, look by look, averaged over windows: swings average out.
 
     window   looks by which patience is measured     usual  m, the most that brought it to rest so far
     looked   looks at this trial     dragged  those since it was begun, or since its drift turned round
     drift    of what is let go; None as long as it is dragged
     """
+
+    REMEMBERED = ("window", "usual", "looked", "dragged", "travels", "means")
 
     def __init__(self, model: Model, settings: GrowingSettings) -> None:
         self.model, self.settings, self.damping = model, settings, model.damping
@@ -38,9 +38,9 @@ class Gathering:
     def begin(self, window: int, usual: float) -> None:
         """A new trial."""
         self.window, self.usual, self.looked = window, usual, 0
-        self.hold()
+        self.drag()
 
-    def hold(self) -> None:
+    def drag(self) -> None:
         """Damping is as usual."""
         self.drift, self.dragged, self.model.damping = None, 0, self.damping
 
@@ -69,7 +69,7 @@ class Gathering:
                 self.let_go(rested)
             return False
         if self.brake(before, alone) <= 0.0:
-            self.hold()
+            self.drag()
             return False
         return alone is None and self.accelerates(travelled) and travelled > self.settings.usual * self.usual
 
@@ -99,11 +99,11 @@ class Gathering:
 
     def state(self) -> State:
         """All that it goes by."""
-        return {**attributes(self, REMEMBERED), "drift": None if self.drift is None else self.drift.state()}
+        return {**super().state(), "drift": None if self.drift is None else self.drift.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        load_attributes(self, REMEMBERED, state)
+        super().restore(state)
         if state["drift"] is not None:
             self.drift = Drift(**state["drift"])
             self.little()

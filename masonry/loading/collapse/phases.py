@@ -1,0 +1,256 @@
+"""The phases of a load that grows. Each says what the load does in its chunks, and which phase follows from a look.
+
+settling -> rising -> waiting -> showing -> rising ...     the dead loads; a trial that is borne, and the next one
+                 \\__________\\-> rising, from the last rest  a trial that is not borne, until the factor is enclosed
+                              \\-> dropping -> end            then the fall is followed, to show who moves,
+                               \\-> leading -> end            or a gauge is led on behind the collapse
+"""
+
+from abc import ABC, abstractmethod
+from typing import ClassVar
+
+import numpy as np
+
+from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
+from masonry.loading.collapse.trials import Trials
+from masonry.monitors.settling import unbalanced
+from masonry.runtime.state import Remembering
+
+
+class Phase(Remembering, ABC):
+    """What all phases have.
+
+    name          by which a checkpoint knows it
+    bears_turns   whether a block that turns too far ends the phase, and not the run
+    """
+
+    name: ClassVar[str]
+    bears_turns: ClassVar[bool] = False
+
+    def __init__(self, trials: Trials) -> None:
+        self.trials, self.settings = trials, trials.settings
+
+    @abstractmethod
+    def chunk(self) -> Chunk | None:
+        """The next steps; None where the phase is over without a look."""
+
+    def following(self) -> "Phase":
+        """The phase behind that."""
+        return self
+
+    def look(self, before: list[np.ndarray]) -> "Phase":
+        """The next phase, by the specimen behind a chunk; `before`: velocities one step before."""
+        return self
+
+    def turned(self) -> "Phase":
+        """The next phase, where a block has turned too far."""
+        return self
+
+
+class SettlingPhase(Phase):
+    """The dead loads settle."""
+
+    name = "settling"
+
+    def chunk(self) -> Chunk | None:
+        """As their program says."""
+        return self.trials.settling.next()
+
+    def following(self) -> Phase:
+        """The first trial."""
+        self.trials.travels.look()
+        self.trials.keep()
+        return rising(self.trials)
+
+
+class RisingPhase(Phase):
+    """The factor rises to the one that is tried. risen: looks so far"""
+
+    name, bears_turns, REMEMBERED = "rising", True, ("risen",)
+
+    def __init__(self, trials: Trials) -> None:
+        super().__init__(trials)
+        self.risen = 0
+
+    def chunk(self) -> Chunk:
+        """A part of the rise."""
+        trials, passed = self.trials, (self.risen + 1) / self.trials.looks_of_rise
+        borne, tried = trials.enclosing.borne, trials.enclosing.tried
+        factor = tried if passed >= 1.0 else borne + passed * (tried - borne)
+        return trials.load.pass_to(factor, self.settings.look)
+
+    def look(self, before: list[np.ndarray]) -> Phase:
+        """It goes on, unless the specimen falls already."""
+        self.trials.look()
+        self.risen += 1
+        if self.trials.travels.travelled > self.trials.travels.away:
+            return not_borne(self.trials)
+        return WaitingPhase(self.trials) if self.risen >= self.trials.looks_of_rise else self
+
+    def turned(self) -> Phase:
+        """The trial did not come to rest."""
+        return not_borne(self.trials, turning=True)
+
+
+class WaitingPhase(Phase):
+    """The factor stays, and the specimen is watched. calm: looks on end at which it rested"""
+
+    name, bears_turns, REMEMBERED = "waiting", True, ("calm",)
+
+    def __init__(self, trials: Trials) -> None:
+        super().__init__(trials)
+        self.calm = 0
+
+    def chunk(self) -> Chunk:
+        """The factor stays; where the specimen fell before the factor was there, it stays below the one that is
+        tried."""
+        return self.trials.load.pass_to(self.trials.load.factor, self.settings.look)
+
+    def look(self, before: list[np.ndarray]) -> Phase:
+        """Whether the specimen rests, falls, or has still to be waited for."""
+        trials = self.trials
+        trials.look()
+        alone = self.is_calm(before)
+        travels, watch = trials.travels, trials.watch
+        if self.calm >= self.settings.looks:
+            trials.bear()
+            return ShowingPhase(trials)
+        if travels.travelled > travels.away or travels.fallen():
+            return not_borne(trials)
+        if watch.falls(before, trials.rest.copies, travels.travelled, travels.alone_or_none(alone)):
+            return not_borne(trials)
+        if watch.too_long:
+            trials.tally.undecided += 1
+            return not_borne(trials)
+        return self
+
+    def is_calm(self, before: list[np.ndarray]) -> bool:
+        """Count whether all rests; returns whether the sum over all does, and a block or a gauge does not."""
+        model, settings, now = self.trials.model, self.settings, energy.observe(self.trials.model)
+        kinetic, stored = abs(energy.kinetic(model, before)), now.elastic_blocks + now.elastic_contacts
+        loose = settings.at_rest * self.trials.path.accuracy
+        rests = unbalanced(model, before) <= loose and kinetic <= settings.still * stored
+        alone = rests and self.trials.travels.moves_alone(before, loose, self.calm)
+        self.calm = self.calm + 1 if rests and not alone else 0
+        return alone
+
+    def turned(self) -> Phase:
+        """The trial did not come to rest."""
+        return not_borne(self.trials, turning=True)
+
+
+class ShowingPhase(Phase):
+    """A row shows the rest."""
+
+    name = "showing"
+
+    def chunk(self) -> Chunk:
+        """The factor stays, and a row is due."""
+        return self.trials.load.pass_to(self.trials.load.factor, self.settings.look, row=True)
+
+    def look(self, before: list[np.ndarray]) -> Phase:
+        """The next trial."""
+        self.trials.look()
+        return next_trial(self.trials)
+
+
+class DroppingPhase(Phase):
+    """The fall is followed, to show who moves. looked: looks so far"""
+
+    name, bears_turns, REMEMBERED = "dropping", True, ("looked",)
+
+    def __init__(self, trials: Trials) -> None:
+        super().__init__(trials)
+        self.looked, settings = 0, trials.settings
+        far, self.most_looks = settings.fall, settings.fall_looks
+        if trials.freely:
+            far, self.most_looks = settings.far, settings.far_looks
+        self.far = trials.travels.size * far
+
+    def chunk(self) -> Chunk:
+        """At the factor that was tried, as the specimen may have fallen before that was there; each look is a row."""
+        return self.trials.load.pass_to(self.trials.enclosing.tried, self.settings.look, row=True)
+
+    def look(self, before: list[np.ndarray]) -> Phase:
+        """Until it has shown who moves."""
+        trials = self.trials
+        trials.look()
+        self.looked += 1
+        trials.watch.brake(before, trials.travels.alone_or_none())
+        return EndPhase(trials) if self.shown or self.looked >= self.most_looks else self
+
+    @property
+    def shown(self) -> bool:
+        """Whether the fall has been followed for long enough."""
+        travels = self.trials.travels
+        if travels.alone.any():
+            return travels.fallen(self.far / (self.settings.away * travels.size))
+        return travels.travelled > self.far
+
+    def turned(self) -> Phase:
+        """That is far enough."""
+        return EndPhase(self.trials)
+
+
+class LeadingPhase(Phase):
+    """A gauge is led on behind the collapse."""
+
+    name, bears_turns = "leading", True
+
+    def __init__(self, trials: Trials) -> None:
+        super().__init__(trials)
+        assert trials.branch is not None
+        self.branch = trials.branch
+
+    def chunk(self) -> Chunk:
+        """The factor goes to where the servo wants it."""
+        return self.trials.load.pass_to(self.branch.servo.factor, self.branch.interval, self.branch.row_due)
+
+    def look(self, before: list[np.ndarray]) -> Phase:
+        """Until the branch ends."""
+        self.trials.look()
+        return self if self.branch.goes_on(before) else EndPhase(self.trials)
+
+    def turned(self) -> Phase:
+        """The branch ends there."""
+        self.branch.turn()
+        return EndPhase(self.trials)
+
+
+class EndPhase(Phase):
+    """Nothing follows."""
+
+    name = "end"
+
+    def chunk(self) -> None:
+        """There is none."""
+        return None
+
+
+PHASES = {
+    phase.name: phase
+    for phase in (SettlingPhase, RisingPhase, WaitingPhase, ShowingPhase, DroppingPhase, LeadingPhase, EndPhase)
+}
+
+
+def rising(trials: Trials) -> Phase:
+    """A trial begins."""
+    trials.begin()
+    return RisingPhase(trials)
+
+
+def next_trial(trials: Trials) -> Phase:
+    """The next trial, after a rest, or the end of the path."""
+    return rising(trials) if trials.enclosing.go_on() else EndPhase(trials)
+
+
+def not_borne(trials: Trials, turning: bool = False) -> Phase:
+    """The factor is not borne: the next trial from the last rest; or, where the factor is enclosed as narrowly as was
+    asked for, the fall from here, or a gauge that is led on from the last rest. turning: a block turned too far"""
+    trials.fail(turning)
+    is_enclosed = trials.enclosing.is_narrow
+    if is_enclosed and not trials.can_lead():
+        return DroppingPhase(trials)
+    trials.put_back()
+    return LeadingPhase(trials) if is_enclosed else next_trial(trials)
