@@ -97,7 +97,7 @@ def test_a_dry_wall_that_stands(figure):
         models.stepping(model, settling)()
     takes = [models.stepping(model, steps) for model in pair]
     near = pair[1].large.near
-    points = sum(int(near.points.held[slot]) for slot in near.pairs.slot[: near.pairs.number[0]])
+    points = sum(int(near.points.number[slot]) for slot in near.pairs.slot[: near.pairs.number[0]])
     times = in_turn(*takes, rounds=60)
     small, large = (1e9 * t.least / steps for t in times)
     figure(

@@ -15,8 +15,8 @@ from masonry.kernels.bonds import Bonds
 from masonry.kinematics import affine, deforming, deforming_tets, tets, turning
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
-from masonry.patches.arrays import Near
-from masonry.patches.press import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, stored_energy
+from masonry.patches.arrays import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, Near
+from masonry.patches.press import stored_energy
 
 
 class Seen(NamedTuple):

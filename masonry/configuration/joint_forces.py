@@ -189,7 +189,7 @@ def forces_on_blocks(model: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def _points(near: Near) -> Points:
-    room = int(near.points.held.sum())
+    room = int(near.points.number.sum())
     numbers, vectors = np.zeros((2, room, 2), dtype=np.int64), np.zeros((3, room, 3))
     count = point_forces(near, *numbers, *vectors)
     return Points(*numbers[:, :count], *vectors[:, :count])

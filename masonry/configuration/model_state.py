@@ -9,6 +9,7 @@ import numpy as np
 from masonry.configuration.energy import present
 from masonry.configuration.room import make_room_for
 from masonry.model.model import Model
+from masonry.patches.pairs import COLUMNS
 from masonry.runtime.state import Damaged, add_array
 
 CHANGED = ("q", "v", "contact", "hold", "inner", "work", "guess", "load", "change")
@@ -38,17 +39,17 @@ def large_arrays(model: Model) -> dict[str, np.ndarray | None]:
     large = model.large
     assert large is not None
     near = large.near
-    parts = {"pairs": near.pairs, "points": near.points}
-    found: dict[str, np.ndarray | None] = {"account": near.account, "held": near.search.held}
+    found: dict[str, np.ndarray | None] = {"account": near.account, "bonded": near.search.alive}
     for kind, body in present(model):
         found |= {f"{kind}.{name}": getattr(body, name, None) for name in ("frame", "momentum", "patches")}
     if large.members is not None:
         found |= {f"motion.{name}": getattr(near.motion, name) for name in GATHERED} | {"rotations": large.bonds.frames}
     found |= {"apart": large.bonds.apart, "bond_u": large.bonds.u, "bond_force": large.bonds.force}
     found |= {"area": model.contacts.area, "alive": large.bonds.alive}
-    found |= {"travel": near.motion.travel, "built": near.search.built, "flag": near.search.flag}
-    found |= {"skin": near.search.skin}
-    return found | {f"{name}.{k}": array for name in ("pairs", "points") for k, array in enumerate(parts[name])}
+    found |= {"travel": near.motion.travel, "built": near.search.built}
+    found |= {"refusal": near.search.refusal, "tally": near.search.tally, "skin": near.search.skin}
+    found |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}
+    return found | {f"points.{name}": array for name, array in near.points._asdict().items()}
 
 
 def state(model: Model) -> dict[str, np.ndarray]:

@@ -12,8 +12,8 @@ from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import keys
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, SHEAR, Near
-from masonry.patches.press import NORMAL_GAINED, SHEAR_LOST, gap_of, stored
+from masonry.patches.arrays import AREA, NORMAL_GAINED, SHEAR, SHEAR_LOST, Near
+from masonry.patches.press import gap_of, stored
 from masonry.patches.refreshing import refresh
 from masonry.patches.slack import hold
 from masonry.simd import FOUR
@@ -59,7 +59,7 @@ def retire(model: Model) -> None:
     sheared = sum(one.sheared for one in left.values())
     account[SHEAR_LOST] += sheared
     account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
-    search.held[:] = np.isin(search.bonded, key[bonds.alive])
+    search.alive[:] = np.isin(search.bonded, key[bonds.alive])
     search.built[:] = -np.inf
     while refresh(model.large.near) < 0.0:
         make_room(model)
@@ -192,7 +192,7 @@ def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:
 
 def _gaps_of(near: Near, p: int) -> np.ndarray:
     """(K,) m, gaps of the points of a pair, slack included."""
-    count = near.points.held[near.pairs.slot[p]]
+    count = near.points.number[near.pairs.slot[p]]
     return np.array([gap_of(near.pairs, near.points, near.motion, p, k) for k in range(count)]) + near.pairs.slack[p]
 
 
@@ -205,4 +205,4 @@ def pressures_of(near: Near, p: int) -> np.ndarray:
 def areas_of(near: Near, p: int) -> np.ndarray:
     """(K,) m2, of the points of a pair."""
     s = near.pairs.slot[p]
-    return near.points.quads[s, :, AREA].ravel()[: near.points.held[s]]
+    return near.points.quads[s, :, AREA].ravel()[: near.points.number[s]]

@@ -9,8 +9,8 @@ from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.kernels.large_step import advance
 from masonry.model.model import Model
-from masonry.patches.arrays import Near, Pairs, no_pairs, no_points
-from masonry.patches.pair_search import NEED_PAIRS, TOO_DEEP, copy_pairs
+from masonry.patches.arrays import NEED_PAIRS, PAIR, REASON, ROOM, TOO_DEEP, Near, no_points
+from masonry.patches.pairs import PatchPairs, copy_pairs, no_pairs
 
 
 def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_force: np.ndarray) -> None:
@@ -32,31 +32,31 @@ def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_forc
 def make_room(model: Model) -> None:
     """Twice the room for pairs, or for the points of those that touch."""
     assert model.large is not None
-    near, why, pair = model.large.near, *model.large.near.search.flag[:2]
-    if why == TOO_DEEP:
-        both = model.two_blocks(*near.pieces.block[near.pairs.body[pair]])
+    near, refusal = model.large.near, model.large.near.search.refusal
+    if refusal[REASON] == TOO_DEEP:
+        both = model.two_blocks(*near.pieces.block[near.pairs.body[refusal[PAIR]]])
         raise Stopped(
             f"{both} overlap at once by more than a hundredth of a block: they overlapped from the start, "
             'turned about contact points inside of their joint (contact_points = "gauss"), or are too fast for the '
             "time step"
         )
-    if why == NEED_PAIRS:
-        near = _with_pairs(near, 2 * int(max(near.search.flag[1], len(near.pairs.slot))))
+    if refusal[REASON] == NEED_PAIRS:
+        near = _with_pairs(near, 2 * int(max(refusal[ROOM], len(near.pairs.slot))))
         near.search.built[:] = -np.inf  # the search that found no room begins again
     else:
-        near = _with_points(near, 2 * len(near.points.held))
+        near = _with_points(near, 2 * len(near.points.number))
     model.large = replace(model.large, near=near)
 
 
 def make_room_for(model: Model, saved: dict[str, np.ndarray]) -> None:
     """As much room for pairs and points as a run had that was kept (model_state.state): more than there is, or less
     where a run goes back. What they hold is to be restored."""
-    if model.large is None or not {"pairs.1", "points.0"} <= saved.keys():
+    if model.large is None or not {"pairs.slot", "points.number"} <= saved.keys():
         return
-    near, pairs, points = model.large.near, len(saved["pairs.1"]), len(saved["points.0"])
+    near, pairs, points = model.large.near, len(saved["pairs.slot"]), len(saved["points.number"])
     if pairs != len(near.pairs.slot):
         near = _holding(near, no_pairs(pairs))
-    if points != len(near.points.held):
+    if points != len(near.points.number):
         near = near._replace(points=no_points(points, near.points.feature.shape[1]))
     model.large = replace(model.large, near=near)
 
@@ -67,14 +67,16 @@ def _with_pairs(near: Near, room: int) -> Near:
     return _holding(near, pairs)
 
 
-def _holding(near: Near, pairs: Pairs) -> Near:
+def _holding(near: Near, pairs: PatchPairs) -> Near:
     """With other arrays of pairs, and as much room for a search."""
     room = len(pairs.slot)
     return near._replace(
         pairs=pairs,
         before=no_pairs(room),
         cells=cells_for(near.pieces, room),
-        search=near.search._replace(found=np.zeros((room, 2), dtype=np.int64)),
+        search=near.search._replace(
+            candidates=np.zeros((room, 2), dtype=np.int64), losers=np.zeros(room, dtype=np.int64)
+        ),
     )
 
 

@@ -98,23 +98,23 @@ def arc_height(one, two, cosine):
 
 
 @inner
-def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, found):
+def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, edges):
     """Edges whose axes may part the pieces by more than `beyond`, for a point (x, y, z) of the other piece.
 
-    count < 0: of all edges first..last; else of the `count` ones in found, which is written over. Returns their number.
+    count < 0: of all edges first..last; else of the `count` ones in edges, which is written over. Returns their number.
     """
-    kept = 0
+    number = 0
     for k in range(last - first if count < 0 else count):
-        e = first + k if count < 0 else found[k]
+        e = first + k if count < 0 else edges[k]
         f, g = edge[e, 2], edge[e, 3]
         one, two = height(normal, offset, f, x, y, z), height(normal, offset, g, x, y, z)
         if one <= beyond and two <= beyond and one <= 0.0 and two <= 0.0:
             continue
         cosine = normal[f, 0] * normal[g, 0] + normal[f, 1] * normal[g, 1] + normal[f, 2] * normal[g, 2]
         if arc_height(one, two, cosine) > beyond:
-            found[kept] = e
-            kept += 1
-    return kept
+            edges[number] = e
+            number += 1
+    return number
 
 
 @inner

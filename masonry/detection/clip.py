@@ -24,7 +24,7 @@ def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
         return row, count
     if least > snap:
         return row, 0
-    other, kept, last = 1 - row, 0, count - 1
+    other, number, last = 1 - row, 0, count - 1
     before = height[last]
     if abs(before) <= snap:
         before = 0.0
@@ -34,17 +34,17 @@ def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
             here = 0.0
         if before * here < 0.0:
             fraction = before / (before - here)
-            u[other, kept] = u[row, last] + fraction * (u[row, k] - u[row, last])
-            v[other, kept] = v[row, last] + fraction * (v[row, k] - v[row, last])
-            label[other, kept] = name if here > 0.0 else label[row, last]
-            kept += 1
+            u[other, number] = u[row, last] + fraction * (u[row, k] - u[row, last])
+            v[other, number] = v[row, last] + fraction * (v[row, k] - v[row, last])
+            label[other, number] = name if here > 0.0 else label[row, last]
+            number += 1
         if here <= 0.0:
-            u[other, kept], v[other, kept], label[other, kept] = u[row, k], v[row, k], label[row, k]
+            u[other, number], v[other, number], label[other, number] = u[row, k], v[row, k], label[row, k]
             if here == 0.0 and height[k + 1 if k + 1 < count else 0] > snap:
-                label[other, kept] = name
-            kept += 1
+                label[other, number] = name
+            number += 1
         before, last = here, k
-    return other, kept
+    return other, number
 
 
 @inlined

@@ -42,7 +42,7 @@ def merge(u, v, name, row, count, weight, near):
         return count
     if first < 0:
         return _one(u, v, name, row, 0, count, weight, 0)
-    other, kept, begun = 1 - row, 0, 0
+    other, number, begun = 1 - row, 0, 0
     for k in range(count):  # round from `first`, into the other row
         i = (first + k) % count
         u[other, k], v[other, k] = u[row, i], v[row, i]
@@ -52,10 +52,10 @@ def merge(u, v, name, row, count, weight, near):
         if k < count:
             du, dv = u[other, k] - u[other, begun], v[other, k] - v[other, begun]
         if k == count or du * du + dv * dv > near * near:
-            _one(u, v, name, other, begun, k, weight, kept)
-            u[row, kept], v[row, kept] = u[other, kept], v[other, kept]
-            kept, begun = kept + 1, k
-    return kept
+            _one(u, v, name, other, begun, k, weight, number)
+            u[row, number], v[row, number] = u[other, number], v[other, number]
+            number, begun = number + 1, k
+    return number
 
 
 @inner

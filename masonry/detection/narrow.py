@@ -45,7 +45,7 @@ ROUND_OFF = 1e-9
 
 @jit
 def touch(
-    pieces, turned, position, p, q, skin, reach, least, kept, axis, witness, scratch, point, gap, area, feature
+    pieces, turned, position, p, q, skin, reach, least, fixed, axis, witness, scratch, point, gap, area, feature
 ):  # fmt: skip
     """Where pieces p and q touch. Returns (kind, count, separation, blend, size).
 
@@ -53,7 +53,7 @@ def touch(
     skin             m: beyond this gap there is no contact, and no more is looked at
     reach            m: the overlap is cut where the gap is wider than this
     least            m2: area of crossed edges, and the least one that a cut overlap keeps
-    kept             whether they touch with the two faces of `witness` or not at all, whatever parts them more
+    fixed            whether they touch with the two faces of `witness` or not at all, whatever parts them more
     axis             (3,) written: n from p to q
     witness          (3,) kind and faces or edges of the last call, which speed up this one; -1 at first; written
     point, gap, area, feature  (K, 3) m, (K,) m, (K,) m2, (K,): written; K >= most_points(pieces)
@@ -61,7 +61,7 @@ def touch(
     blend            weight of p's normal in n
     size             m, root of the area of the overlap: what motions are compared with; a tenth of that where n lies
                      between two normals, since a tilt may soon turn it to one of them; and so small that what was
-                     cut away cannot close before the pair is clipped anew. Without contact, of tets or kept faces:
+                     cut away cannot close before the pair is clipped anew. Without contact, of tets or fixed faces:
                      how far they are apart sideways, 0 where that is not known
     """
     rank = pieces.rank
@@ -73,7 +73,7 @@ def touch(
     i, j = body[a], body[b]
     dx, dy, dz = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1], position[j, 2] - position[i, 2]
     kind, count, separation, blend, size, fa, fb, nx, ny, nz = _ordered(
-        a, b, dx, dy, dz, skin, reach, least, kept, witness[0], wa, wb,
+        a, b, dx, dy, dz, skin, reach, least, fixed, witness[0], wa, wb,
         pieces.vertex_start, pieces.face_start, pieces.loop_start, pieces.loop, pieces.inner,
         pieces.edge_start, pieces.edge, pieces.radius, pieces.snap,
         turned.vertex, turned.centre, turned.normal, turned.offset,
@@ -95,7 +95,7 @@ def touch(
 
 @inlined
 def _ordered(
-    a, b, dx, dy, dz, skin, reach, least, kept, known, fa, fb,
+    a, b, dx, dy, dz, skin, reach, least, fixed, known, fa, fb,
     vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, snaps, vertex, centre, normal, offset,
     u, v, label, wu, wv, weight, name, edges, point, gap, area, feature,
 ):  # fmt: skip
@@ -108,18 +108,12 @@ def _ordered(
     ax, ay, az = centre[a, 0], centre[a, 1], centre[a, 2]
     bx, by, bz = centre[b, 0] + dx, centre[b, 1] + dy, centre[b, 2] + dz
     if known == EDGE or fa < 0 or fb < 0:
-        fa, gap_a, _, _ = widest_face(
-            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf, 0.0
-        )
-        fb, gap_b, _, _ = widest_face(
-            normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf, 0.0
-        )
-        if fa < 0 or fb < 0:  # a piece in the middle of its body
-            return NONE, 0, inf, 0.5, 0.0, -1, -1, 0.0, 0.0, 0.0
-        fa, fb = _pair_of(
-            normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie,
-            gap_a >= gap_b, False,
+        fa, fb = _first_faces(
+            normal, offset, inner, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, dx, dy, dz,
+            ax, ay, az, bx, by, bz, tie,
         )  # fmt: skip
+        if fa < 0:  # a piece in the middle of its body
+            return NONE, 0, inf, 0.5, 0.0, -1, -1, 0.0, 0.0, 0.0
     for _ in range(ROUNDS):
         gap_a = face_gap(normal, offset, fa, vertex, vb, vb_end, dx, dy, dz)
         gap_b = face_gap(normal, offset, fb, vertex, va, va_end, -dx, -dy, -dz)
@@ -140,7 +134,7 @@ def _ordered(
         plane = common_plane(vertex, loop, loop_start, normal, offset, fa, fb, dx, dy, dz, nx, ny, nz)
         row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, weight, wu, wv)
         full, cu, cv = area_and_centroid(u, v, row, count) if count >= 3 else (0.0, 0.0, 0.0)
-        if kept:
+        if fixed:
             beyond, edges_too = wide, False
             break
         if full > 0.0:
@@ -167,7 +161,7 @@ def _ordered(
             another < 0, False,
         )  # fmt: skip
     flat = FLAT_HELD if known == EDGE else FLAT
-    if not kept and (known == EDGE or full <= 0.0):  # edges that touch already, or that must, as the two faces do not
+    if not fixed and (known == EDGE or full <= 0.0):  # edges that touch already, or that must, as the two faces do not
         beyond, edges_too = wide - HOLD * abs(wide) - tie, True
     ea, eb, apart, ex, ey, ez = -1, -1, beyond, 0.0, 0.0, 0.0
     if edges_too:
@@ -178,25 +172,21 @@ def _ordered(
     if ea >= 0 and apart > skin:
         return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
     if ea >= 0:
-        found = crossing_point(
+        crossings = crossing_point(
             vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, least,
             point, gap, area, feature,
         )  # fmt: skip
-        if found:
-            return EDGE, found, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
+        if crossings:
+            return EDGE, crossings, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
     if full <= 0.0:
         depth = max(wide, apart) if ea >= 0 else wide
-        if depth >= 0.0 or of_tets or kept:  # a corner of a mesh belongs to several tets
-            lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets or kept else 0.0
+        if depth >= 0.0 or of_tets or fixed:  # a corner of a mesh belongs to several tets
+            lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets or fixed else 0.0
             return NONE, 0, depth, blend, lateral, fa, fb, nx, ny, nz
-        if blend >= 0.5:
-            corner_point(
-                vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, least, fa - la, point, gap, area, feature
-            )  # fmt: skip
-        else:
-            corner_point(
-                vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb - lb, point, gap, area, feature
-            )  # fmt: skip
+        _corner_of_one(
+            vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, least, fa - la, fb - lb, blend,
+            point, gap, area, feature,
+        )  # fmt: skip
         return FACE, 1, depth, blend, sqrt(least), fa, fb, nx, ny, nz
     if of_tets and _along(normal, fa, fb) > -FLAT and are_apart(vertex, va, va_end, vb, vb_end, dx, dy, dz, inside):
         return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
@@ -206,6 +196,41 @@ def _ordered(
     )  # fmt: skip
     size = sqrt(full) if blend in (0.0, 1.0) else BETWEEN * sqrt(full)
     return (FACE if count else NONE), count, wide, blend, size, fa, fb, nx, ny, nz
+
+
+@inlined
+def _first_faces(
+    normal, offset, inner, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, dx, dy, dz,
+    ax, ay, az, bx, by, bz, tie,
+):  # fmt: skip
+    """The faces of two pieces of which nothing is known; -1 where one of them has no free face."""
+    fa, gap_a, _, _ = widest_face(
+        normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, -inf, 0.0
+    )
+    fb, gap_b, _, _ = widest_face(
+        normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, -inf, 0.0
+    )
+    if fa < 0 or fb < 0:
+        return -1, -1
+    return _pair_of(
+        normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie,
+        gap_a >= gap_b, False,
+    )  # fmt: skip
+
+
+@inlined
+def _corner_of_one(
+    vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, least, fa, fb, blend, point, gap, area, feature
+):  # fmt: skip
+    """Write the one point where a corner meets a face, the one of the two that n comes from."""
+    if blend >= 0.5:
+        corner_point(
+            vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, least, fa, point, gap, area, feature
+        )  # fmt: skip
+    else:
+        corner_point(
+            vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb, point, gap, area, feature
+        )  # fmt: skip
 
 
 @inlined
@@ -288,9 +313,9 @@ def _deepest(u, v, row, count, plane, wide):
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
         least = min(least, high - low)
-    mu, mv, found = 0.0, 0.0, 0
+    mu, mv, number = 0.0, 0.0, 0
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
         if high - low <= least + 0.5 * HOLD * abs(wide):
-            mu, mv, found = mu + u[row, k], mv + v[row, k], found + 1
-    return mu / found, mv / found, least
+            mu, mv, number = mu + u[row, k], mv + v[row, k], number + 1
+    return mu / number, mv / number, least

@@ -43,4 +43,4 @@ def candidates(large: Large) -> int:
     block = pieces.block[pair]
     key = block.min(axis=1) * len(pieces.body) + block.max(axis=1)
     meets = (block[:, 0] != block[:, 1]) & search.moves[pair].any(axis=1)
-    return int(np.count_nonzero(meets & ~np.isin(key, search.bonded[search.held])))
+    return int(np.count_nonzero(meets & ~np.isin(key, search.bonded[search.alive])))

@@ -136,7 +136,7 @@ def meeting_text(assembly: Assembly) -> str:
     large = assembly.model.large
     if large is None:
         return ""
-    count, held = candidates(large), int(large.near.search.held.sum())
+    count, held = candidates(large), int(large.near.search.alive.sum())
     bonded = f" ({held} that bonds hold {_are(held)} left out)" if held else ""
     return (
         f"{count} pair{'s' * (count != 1)} of {len(large.near.pieces.body)} convex pieces {_are(count)} near enough to "

@@ -96,7 +96,7 @@ class EachBlock:
         touching = np.flatnonzero(pairs.slot[: pairs.number[0]] >= 0)
         slot = pairs.slot[touching]
         area = points.quads[slot, :, AREA].reshape(len(slot), points.quads[0, :, AREA].size)
-        area = np.where(np.arange(area.shape[1]) < points.held[slot, None], area, 0.0).sum(axis=1)
+        area = np.where(np.arange(area.shape[1]) < points.number[slot, None], area, 0.0).sum(axis=1)
         pair = np.concatenate([self.pair[alive], near.pieces.block[pairs.body[touching]]])
         patches = near.rules.normal_stiffness[pairs.law[touching]] * area
         return self._sum(pair, np.append(self.stiffness[alive], patches))

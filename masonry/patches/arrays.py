@@ -1,4 +1,5 @@
-"""What patches are made of: pairs of pieces that are near, the points where they touch, and how blocks move."""
+"""What patches are made of: the points where pairs touch, what holds where they do, how blocks move, and how a search
+or a step ends. Pairs themselves: pairs.py."""
 
 from typing import NamedTuple
 
@@ -9,56 +10,26 @@ from masonry.detection.overlap import Scratch
 from masonry.detection.pieces import Pieces
 from masonry.detection.placing import Turned
 from masonry.jit.compiler import inlined, inner
+from masonry.patches.pairs import PatchPairs
 from masonry.simd import FOUR
 
 PLACE, LEVEL, AREA, SHEAR = 0, 3, 4, 5
-"""Rows of Points.quads."""
+"""Rows of PatchPoints.quads."""
+FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
+"""Of Near.account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
+points that press changed, and by points that were born pressing."""
+REASON, PAIR, ROOM = range(3)
+"""Of Search.refusal: why no step was taken, the pair that is to blame, and for how many pairs there must be room."""
+NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
+"""Reasons: no free slot, no room for pairs, or a contact that was born with a deep overlap."""
+SEARCHES, LOOKS = range(2)
+"""Of Search.tally: how many there were so far."""
 
 
-class Pairs(NamedTuple):
-    """Pairs of convex pieces that are near to each other, sorted; there is room for more than there are.
-
-    number    (1,) how many there are; the arrays below have a row for each
-    piece     (P, 2) numbers of the pieces, the lower first     body  (P, 2) their blocks
-    slot      (P,) where its points are kept; -1 where the two are apart
-    points_of (P,) which side the points belong to (0, 1); the plane is fixed in the other one, the reference
-    normal    (P, 3) of the plane, out of the reference, in its frame
-    axis      (P, 3) that of the last look, from side 0 to side 1, in space
-    witness   (P, 3) of that look (detection/narrow.py)
-    mark      (P,) m, travel of both blocks at the last look     limit  (P,) m, that after which it is looked at again
-    reach     (P,) m, how far they may move against each other until the next look
-    pose      (P, 12) how they stood to each other at the last one (relative_motion.py)
-    law       (P,) row of Rules    dashpot (P,) Pa s/m
-    slack     (P,) m, by which its points press less than they overlap, or more (below 0): slack.py
-    gained    (P,) J, normal energy that the last look gave or took, until slack.py has settled it; 0 otherwise
-    damped    (P,) J, what its dashpot has dissipated since the two touch, less what it has paid: slack.py
-    face      (P, 2) its two faces before that look, -1 for edges
-    """
-
-    number: np.ndarray
-    piece: np.ndarray
-    body: np.ndarray
-    slot: np.ndarray
-    points_of: np.ndarray
-    normal: np.ndarray
-    axis: np.ndarray
-    witness: np.ndarray
-    mark: np.ndarray
-    limit: np.ndarray
-    reach: np.ndarray
-    pose: np.ndarray
-    law: np.ndarray
-    dashpot: np.ndarray
-    slack: np.ndarray
-    gained: np.ndarray
-    damped: np.ndarray
-    face: np.ndarray
-
-
-class Points(NamedTuple):
+class PatchPoints(NamedTuple):
     """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
 
-    held     (S,) points of a slot
+    number   (S,) points of a slot
     quads    (S, K / FOUR, 8, FOUR) what each step needs of four points, side by side in memory; in rows from
              PLACE   m, x, y, z from the centroid of the block that they belong to, in its frame
              LEVEL   m, of the plane that the point meets, along the normal from the centroid of the reference
@@ -69,7 +40,7 @@ class Points(NamedTuple):
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
-    held: np.ndarray
+    number: np.ndarray
     quads: np.ndarray
     feature: np.ndarray
     damper: np.ndarray
@@ -120,27 +91,27 @@ class Search(NamedTuple):
 
     group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
-             N pieces in all; held (K,) whether they still do
+             N pieces in all; alive (K,) whether they still do
     moves    (B,) whether it can move
     mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
     least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     spread   whether patches have points inside besides those at their corners
-    point, gap, area, feature, shear  room for what one look finds: (K, 3) m, m, m2, names, and (K, 3) Pa on side 0
-    was_normal, was_point, was_shear, was_area, was_feature  (3,), (K, 3) m, (K, 3) Pa, (K,) m2, (K,) what a patch was
-    found    (F, 2) room for the pairs that a search finds
+    candidates  (F, 2) room for the pairs that a search finds
+    losers   (F,) room for the pairs that lost normal energy in the looks of a step
     patches  (F,) room for how many patches lie on each face
     stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
     stale_block
-    flag     (4,) why no step was taken, the pair to blame; searches and looks so far
+    refusal  (3,) why no step was taken: REASON, PAIR, ROOM
+    tally    (2,) how often was searched and looked: SEARCHES, LOOKS
     """
 
     group: np.ndarray
     unit: np.ndarray
     law_of: np.ndarray
     bonded: np.ndarray
-    held: np.ndarray
+    alive: np.ndarray
     moves: np.ndarray
     mass: np.ndarray
     meshed: bool
@@ -150,21 +121,34 @@ class Search(NamedTuple):
     built: np.ndarray
     skin: np.ndarray
     spread: bool
+    candidates: np.ndarray
+    losers: np.ndarray
+    patches: np.ndarray
+    stale: np.ndarray
+    stale_block: np.ndarray
+    refusal: np.ndarray
+    tally: np.ndarray
+
+
+class Footprint(NamedTuple):
+    """Room for up to K points of one patch, as a look finds them: (K, 3) m, (K,) m, (K,) m2, names (K,), and (K, 3) Pa
+    on side 0."""
+
     point: np.ndarray
     gap: np.ndarray
     area: np.ndarray
     feature: np.ndarray
     shear: np.ndarray
-    was_normal: np.ndarray
-    was_point: np.ndarray
-    was_shear: np.ndarray
-    was_area: np.ndarray
-    was_feature: np.ndarray
-    found: np.ndarray
-    patches: np.ndarray
-    stale: np.ndarray
-    stale_block: np.ndarray
-    flag: np.ndarray
+
+
+class FormerPatch(NamedTuple):
+    """Room for what a patch was before that look: its normal (3,) from side 0 to side 1, and points as of Footprint."""
+
+    normal: np.ndarray
+    point: np.ndarray
+    area: np.ndarray
+    feature: np.ndarray
+    shear: np.ndarray
 
 
 class Near(NamedTuple):
@@ -173,12 +157,14 @@ class Near(NamedTuple):
     pieces: Pieces
     turned: Turned
     cells: Cells
-    pairs: Pairs
-    before: Pairs
-    points: Points
+    pairs: PatchPairs
+    before: PatchPairs
+    points: PatchPoints
     rules: Rules
     motion: Motion
     search: Search
+    footprint: Footprint
+    former: FormerPatch
     scratch: Scratch
     account: np.ndarray
 
@@ -224,45 +210,43 @@ def row_of(numbers, row):
     return numbers[row]
 
 
+@inlined
+def between(centre, moved, ref, other):
+    """m, from the centroid of one block to that of another: the sums of the places would lose digits far away."""
+    return (
+        (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
+        (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
+        (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
+    )
+
+
 @inner
 def outward(own):
     """1 where the normal out of the reference points from side 0 to side 1: where the points are those of side 1."""
     return 1.0 if own == 1 else -1.0
 
 
-def no_pairs(room: int) -> Pairs:
-    """Room for so many pairs, and none in it."""
-    numbers, twice, vectors = (room,), (room, 2), (room, 3)
-    whole = {
-        name: np.zeros(shape, dtype=np.int64) for name, shape in (("piece", twice), ("body", twice), ("law", numbers))
-    }
-    return Pairs(
-        number=np.zeros(1, dtype=np.int64),
-        slot=np.full(room, -1, dtype=np.int64),
-        points_of=np.zeros(room, dtype=np.int64),
-        normal=np.zeros(vectors),
-        axis=np.zeros(vectors),
-        witness=np.full(vectors, -1, dtype=np.int64),
-        mark=np.zeros(room),
-        limit=np.zeros(room),
-        reach=np.zeros(room),
-        pose=np.zeros((room, 12)),
-        dashpot=np.zeros(room),
-        slack=np.zeros(room),
-        gained=np.zeros(room),
-        damped=np.zeros(room),
-        face=np.full(twice, -1, dtype=np.int64),
-        **whole,
-    )
-
-
-def no_points(room: int, most: int) -> Points:
+def no_points(room: int, most: int) -> PatchPoints:
     """Room for the points of so many pairs, `most` each, and none in it."""
     most = -(-most // 4) * 4
-    return Points(
-        held=np.zeros(room, dtype=np.int64),
+    return PatchPoints(
+        number=np.zeros(room, dtype=np.int64),
         quads=np.zeros((room, most // FOUR, 8, FOUR)),
         feature=np.zeros((room, most), dtype=np.int64),
         damper=np.zeros((room, most)),
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),
+    )
+
+
+def no_footprint(most: int) -> Footprint:
+    """Room for so many points."""
+    return Footprint(
+        np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64), np.zeros((most, 3))
+    )
+
+
+def no_former_patch(most: int) -> FormerPatch:
+    """Room for a patch of so many points."""
+    return FormerPatch(
+        np.zeros(3), np.zeros((most, 3)), np.zeros(most), np.zeros(most, dtype=np.int64), np.zeros((most, 3))
     )

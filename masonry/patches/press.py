@@ -12,13 +12,21 @@ import numpy as np
 
 from masonry.jit.compiler import inlined, inner, jit
 from masonry.kinematics.planes import plane_of, turned
-from masonry.patches.arrays import AREA, LEVEL, PLACE, SHEAR, joint_of, number_of, outward, vector_of
-from masonry.patches.pair_search import FAR
+from masonry.patches.arrays import (
+    AREA,
+    DASHPOT,
+    FRICTION,
+    LEVEL,
+    PLACE,
+    SHEAR,
+    between,
+    joint_of,
+    number_of,
+    outward,
+    vector_of,
+)
+from masonry.patches.pairs import FAR
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
-
-FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
-"""Of the account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
-points that press changed, and by points that were born pressing."""
 
 ROUND_OFF = 1e-15
 """Of a sum of three squares, after a few operations on each."""
@@ -28,48 +36,42 @@ ROUND_OFF = 1e-15
 def press(near, dt):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
-    near is what patch_arrays.Near says; its account gets what friction and the dashpots dissipate. Four points of a
+    near is what arrays.Near says; its account gets what friction and the dashpots dissipate. Four points of a
     patch are computed at a time: with a their places from the centroid of the block that they belong to, o from the
     centroid of the reference to that one, and v, w velocities and spins, the other block moves against the reference
     at a by v - v_ref - w_ref x o + (w - w_ref) x a, and the moment on the reference is that on the other and o x force.
     """
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
-    body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
+    body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
     friction = damped = filled(0.0, four())
     parted = False
-    for b in range(len(push)):
-        for i in range(6):
-            push[b, i] = 0.0
+    clear(push, 6)
     for p in range(pairs.number[0]):
         if slot[p] < 0:
             continue
         own, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
         ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
-        ox, oy, oz = (  # the sums of the places would lose digits far from the origin
-            (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
-            (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
-            (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
-        )
+        ox, oy, oz = between(centre, moved, ref, other)
         rx, ry, rz, wx, wy, wz = v[ref, 3], v[ref, 4], v[ref, 5], v[other, 3], v[other, 4], v[other, 5]
         ux = v[other, 0] - v[ref, 0] - ry * oz + rz * oy
         uy = v[other, 1] - v[ref, 1] - rz * ox + rx * oz
         uz = v[other, 2] - v[ref, 2] - rx * oy + ry * ox
         rotation = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
-        slack, dashpot, held, joint = pairs.slack[p], pairs.dashpot[p], count[s], joint_of(rules, pairs.law[p])
-        fx = fy = fz = qx = qy = qz = taken = filled(0.0, four())
-        for k in range(0, held, FOUR):
+        slack, dashpot, count, joint = pairs.slack[p], pairs.dashpot[p], points.number[s], joint_of(rules, pairs.law[p])
+        fx = fy = fz = qx = qy = qz = work = filled(0.0, four())
+        for k in range(0, count, FOUR):
             ax, ay, az = places(frame, other, points, s, k)
             gap = n[0] * ax + n[1] * ay + n[2] * az + along - four_of(points, s, k, LEVEL)
             d = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
-            there = below(held - k, four())
-            (gx, gy, gz), sigma, slid, lost = respond(
-                points, joint, dashpot, s, k, there, gap + slack, d, rate, rate, n, rotation, dt
+            present = below(count - k, four())
+            (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
+                points, joint, dashpot, s, k, present, gap + slack, d, rate, rate, n, rotation, dt
             )
-            friction, taken = friction + slid, taken + lost
+            friction, work = friction + by_friction, work + by_dashpot
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             qx, qy, qz = qx + (ay * gz - az * gy), qy + (az * gx - ax * gz), qz + (ax * gy - ay * gx)
@@ -77,12 +79,20 @@ def press(near, dt):
         add(push, ref, 1.0, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -1.0, fx, fy, fz, qx, qy, qz)
         if dashpot > 0.0:
-            damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
+            damped, pairs.damped[p] = damped + work, pairs.damped[p] + total(work)
         parted = parted or (slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
     if parted:
         ease(pairs, points, motion)
+
+
+@inlined
+def clear(push, width):
+    """Nothing pushes any block; width: how many numbers a row of `push` has."""
+    for b in range(len(push)):
+        for i in range(width):
+            push[b, i] = 0.0
 
 
 @inlined
@@ -99,33 +109,33 @@ def places(frame, b, points, s, k):
 
 
 @inlined
-def respond(points, joint, dashpot, s, k, there, gap, d, along, closing, n, rotation, dt):
+def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt):
     """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
 
-    joint     as `joint_of`; dashpot Pa s/m     there  which of the four there are
+    joint     as `joint_of`; dashpot Pa s/m     present  which of the four there are
     d, along  m/s, of the other block against the reference, and its part along the normal n
     closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
     """
     (kn, ks, tan, cohesion), size = joint, four_of(points, s, k, AREA)
-    touches = (gap < 0.0) & there
+    touches = (gap < 0.0) & present
     sigma = where(touches, kn * gap, 0.0)
-    lost = filled(0.0, gap)
+    work = filled(0.0, gap)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
         now = where(touches, minimum(dashpot * closing, -sigma), 0.0)
-        lost = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
+        work = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
         put(points.damper, (s, k), now)
         sigma = sigma + now
-    held = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
-    before = held[0] * held[0] + held[1] * held[1] + held[2] * held[2]
+    shear = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
+    before = shear[0] * shear[0] + shear[1] * shear[1] + shear[2] * shear[2]
     if not any_lane(touches | (before > 0.0)):
-        return (sigma, sigma, sigma), sigma, sigma, lost
-    held, out = turned_with(held, before, rotation, n)
-    t, taken = slide(held, out, d, along, n, dt, ks, strength(cohesion, tan, sigma, touches))
+        return (sigma, sigma, sigma), sigma, sigma, work
+    shear, out = turned_with(shear, before, rotation, n)
+    t, heat = slide(shear, out, d, along, n, dt, ks, strength(cohesion, tan, sigma, touches))
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.quads, (s, k // FOUR, SHEAR, 0), x)
     put(points.quads, (s, k // FOUR, SHEAR + 1, 0), y)
     put(points.quads, (s, k // FOUR, SHEAR + 2, 0), z)
-    return (size * x, size * y, size * z), size * sigma, size * taken, lost
+    return (size * x, size * y, size * z), size * sigma, size * heat, work
 
 
 @inlined
@@ -175,8 +185,8 @@ def slide(h, out, d, along, n, dt, ks, most):
     sx, sy, sz = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
     x, y, z = h[0] - out * n[0], h[1] - out * n[1], h[2] - out * n[2]
     put_in = (x + tx) * sx + (y + ty) * sy + (z + tz) * sz
-    held = (most * most - x * x - y * y - z * z) / ks
-    return (tx, ty, tz), where(slides, 0.5 * (put_in - held), 0.0)
+    stored_more = (most * most - x * x - y * y - z * z) / ks
+    return (tx, ty, tz), where(slides, 0.5 * (put_in - stored_more), 0.0)
 
 
 @inner
@@ -195,7 +205,7 @@ def stored(pairs, points, rules, motion, p):
     """Elastic energies (J) of the points of a pair as they stand: normal, and shear."""
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
     kn, ks = rules.normal_stiffness[pairs.law[p]], rules.shear_stiffness[pairs.law[p]]
-    for k in range(points.held[s] if s >= 0 else 0):
+    for k in range(points.number[s] if s >= 0 else 0):
         gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
         if gap < 0.0:
             (x, y, z), area = vector_of(points, s, k, SHEAR), number_of(points, s, k, AREA)
@@ -211,7 +221,7 @@ def ease(pairs, points, motion):
         if pairs.slot[p] < 0 or pairs.slack[p] == 0.0:
             continue
         least = FAR
-        for k in range(points.held[pairs.slot[p]]):
+        for k in range(points.number[pairs.slot[p]]):
             least = min(least, gap_of(pairs, points, motion, p, k))
             if least + pairs.slack[p] < 0.0:
                 break
@@ -229,10 +239,9 @@ def gap_of(pairs, points, motion, p, k):
     n = nx, ny, nz
     x, y, z = vector_of(points, s, k, PLACE)
     a = turned(motion.frame, other, x, y, z)
-    along = 0.0
+    o, along = between(motion.centre, motion.moved, ref, other), 0.0
     for i in range(3):
-        between = (motion.centre[other, i] - motion.centre[ref, i]) + (motion.moved[other, i] - motion.moved[ref, i])
-        along += n[i] * (a[i] + between)
+        along += n[i] * (a[i] + o[i])
     return along - scale * number_of(points, s, k, LEVEL)
 
 
@@ -255,7 +264,7 @@ def point_forces(near, block, body, place, force, normal):
         s, own = pairs.slot[p], pairs.points_of[p]
         ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
         kn = near.rules.normal_stiffness[pairs.law[p]]
-        for k in range(points.held[s] if s >= 0 else 0):
+        for k in range(points.number[s] if s >= 0 else 0):
             gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
             if gap >= 0.0:
                 continue
@@ -283,7 +292,7 @@ def deepest(near, width):
     pairs, points, most, which = near.pairs, near.points, 0.0, -1
     for p in range(pairs.number[0]):
         s = pairs.slot[p]
-        for k in range(points.held[s] if s >= 0 else 0):
+        for k in range(points.number[s] if s >= 0 else 0):
             gap = gap_of(pairs, points, near.motion, p, k)
             overlap = -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]])
             if overlap > most:

@@ -6,10 +6,10 @@ of the reference at the foot of the point on the plane). So the normal force act
 its own line from the point, and the shear force at the point: no couple is left, and the springs are conservative.
 """
 
-from masonry.jit.compiler import inner, jit
+from masonry.jit.compiler import inlined, inner, jit
 from masonry.kinematics.planes import into, plane_of, turned
-from masonry.patches.arrays import LEVEL, joint_of
-from masonry.patches.press import DASHPOT, FRICTION, ease, four_of, places, respond
+from masonry.patches.arrays import DASHPOT, FRICTION, LEVEL, between, joint_of
+from masonry.patches.press import clear, ease, four_of, places, respond
 from masonry.simd import FOUR, below, filled, four, total
 
 
@@ -22,12 +22,10 @@ def press_deforming(near, dt):
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     dual, rate = motion.dual, motion.rate
-    body, slot, points_of, normal, count = pairs.body, pairs.slot, pairs.points_of, pairs.normal, points.held
+    body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
     friction = damped = filled(0.0, four())
     parted = False
-    for b in range(len(push)):
-        for i in range(12):
-            push[b, i] = 0.0
+    clear(push, 12)
     for p in range(pairs.number[0]):
         s = slot[p]
         if s < 0:
@@ -35,33 +33,28 @@ def press_deforming(near, dt):
         own = points_of[p]
         ref, other = body[p, 1 - own], body[p, own]
         nx, ny, nz, scale = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
-        ox, oy, oz = (  # the sums of the places would lose digits far from the origin
-            (centre[other, 0] - centre[ref, 0]) + (moved[other, 0] - moved[ref, 0]),
-            (centre[other, 1] - centre[ref, 1]) + (moved[other, 1] - moved[ref, 1]),
-            (centre[other, 2] - centre[ref, 2]) + (moved[other, 2] - moved[ref, 2]),
-        )
+        ox, oy, oz = between(centre, moved, ref, other)
         half = 0.5 * dt
         spin = half * (v[ref, 3] + v[other, 3]), half * (v[ref, 4] + v[other, 4]), half * (v[ref, 5] + v[other, 5])
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
-        slack, dashpot, held, joint = pairs.slack[p], pairs.dashpot[p], count[s], joint_of(rules, pairs.law[p])
-        fx = fy = fz = pressed = taken = filled(0.0, four())
+        slack, dashpot, count, joint = pairs.slack[p], pairs.dashpot[p], points.number[s], joint_of(rules, pairs.law[p])
+        fx = fy = fz = pressed = work = filled(0.0, four())
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
-        for k in range(0, held, FOUR):
+        for k in range(0, count, FOUR):
             ax, ay, az = places(frame, other, points, s, k)
             gap = nx * ax + ny * ay + nz * az + along - scale * four_of(points, s, k, LEVEL)
-            # velocity of the other block against the reference at the points
             lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, ax + ox, ay + oy, az + oz))
-            dx, dy, dz = places(rate, other, points, s, k)
+            dx, dy, dz = places(rate, other, points, s, k)  # velocity of the other block against the reference
             dx = dx + (v[other, 0] - v[ref, 0]) - lx
             dy = dy + (v[other, 1] - v[ref, 1]) - ly
             dz = dz + (v[other, 2] - v[ref, 2]) - lz
             speed = dx * nx + dy * ny + dz * nz
-            (gx, gy, gz), sigma, slid, lost = respond(
-                *(points, joint, dashpot, s, k, below(held - k, four()), gap + slack),
+            (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
+                *(points, joint, dashpot, s, k, below(count - k, four()), gap + slack),
                 *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
             )
-            friction, taken, pressed = friction + slid, taken + lost, pressed + sigma * gap
+            friction, work, pressed = friction + by_friction, work + by_dashpot, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             xx, xy, xz = xx + gx * ax, xy + gx * ay, xz + gx * az
@@ -71,18 +64,24 @@ def press_deforming(near, dt):
         moments = (
             total(xx), total(xy), total(xz), total(yx), total(yy), total(yz), total(zx), total(zy), total(zz),
         )  # fmt: skip
-        add(push, ref, 1.0, force, moments)
-        add_moments(push, ref, force, ox, oy, oz)
-        foot = -total(pressed)
-        add_moments(push, ref, (foot * nx, foot * ny, foot * nz), nx, ny, nz)
-        add(push, other, -1.0, force, moments)
+        push_both(push, ref, other, force, moments, (ox, oy, oz), -total(pressed), (nx, ny, nz))
         if dashpot > 0.0:
-            damped, pairs.damped[p] = damped + taken, pairs.damped[p] + total(taken)
+            damped, pairs.damped[p] = damped + work, pairs.damped[p] + total(work)
         parted = parted or (slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
     if parted:
         ease(pairs, points, motion)
+
+
+@inlined
+def push_both(push, ref, other, force, moments, o, foot, n):
+    """Add what a patch bears to both blocks: o (m) from the centroid of the reference to that of the other one, foot
+    (J) the normal force times how far along n the reference bears it from the points."""
+    add(push, ref, 1.0, force, moments)
+    add_moments(push, ref, force, o[0], o[1], o[2])
+    add_moments(push, ref, (foot * n[0], foot * n[1], foot * n[2]), n[0], n[1], n[2])
+    add(push, other, -1.0, force, moments)
 
 
 @inner

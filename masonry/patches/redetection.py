@@ -12,17 +12,27 @@ from masonry.kinematics.matrices import vector_at
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.patches.arrays import (
     AREA,
+    BORN,
     LEVEL,
+    LOOKS,
+    NEED_POINTS,
+    NORMAL_GAINED,
+    PAIR,
     PLACE,
+    REASON,
+    SEARCHES,
     SHEAR,
+    SHEAR_LOST,
+    TOO_DEEP,
     number_of,
     outward,
     put_number_of,
     put_vector_of,
     vector_of,
 )
-from masonry.patches.pair_search import FAR, NEED_POINTS, TOO_DEEP, release
-from masonry.patches.press import BORN, NORMAL_GAINED, SHEAR_LOST, stored
+from masonry.patches.pair_search import part
+from masonry.patches.pairs import FAR
+from masonry.patches.press import stored
 from masonry.patches.relative_motion import keep_pose
 from masonry.patches.sunk_edges import is_as_deep_beside, is_sunk, place
 from masonry.simd import FOUR
@@ -39,7 +49,7 @@ BORN_DEEP = 0.1
 def look(near, p):
     """Where pair p touches now; its points take over what they remember. False without room."""
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
-    a, b = pairs.body[p, 0], pairs.body[p, 1]
+    footprint, a, b = near.footprint, pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
         block = pairs.body[p, side]
         placing.update_piece(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
@@ -49,49 +59,35 @@ def look(near, p):
     if pairs.witness[p, 0] == FACE:
         pairs.face[p, 0], pairs.face[p, 1] = pairs.witness[p, 1], pairs.witness[p, 2]
     skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
-    search.flag[3] += 1
+    search.tally[LOOKS] += 1
     # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
-    of_tets, kept = pieces.block[a] != a or pieces.block[b] != b, False
+    of_tets, sunk = pieces.block[a] != a or pieces.block[b] != b, False
     while True:
         kind, count, separation, blend, size = touch(
-            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least, kept),
-            *(axis, pairs.witness[p], near.scratch, search.point, search.gap, search.area, search.feature),
+            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least, sunk),
+            *(axis, pairs.witness[p], near.scratch),
+            *(footprint.point, footprint.gap, footprint.area, footprint.feature),
         )
-        if kept or of_tets or kind == NONE or not is_sunk(near, p, count):
+        if sunk or of_tets or kind == NONE or not is_sunk(near, p, count):
             break
-        kept = True
+        sunk = True
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
     keep_pose(pairs, motion, p)
     if kind == NONE:
         reach = max(separation - 0.5 * skin, 0.25 * skin)
-        if of_tets or kept:  # inner faces of tets part nothing, nor do sunk ones: they may meet at once
+        if of_tets or sunk:  # inner faces of tets part nothing, nor do sunk ones: they may meet at once
             reach = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
         pairs.limit[p] = pairs.reach[p] = reach
-        let_go(near, p)
+        part(near, pairs, p)
         return True
     if search.spread and kind == FACE and count >= 3:
-        count = spread(search.point, search.gap, search.area, search.feature, count)
+        count = spread(footprint.point, footprint.gap, footprint.area, footprint.feature, count)
     pairs.limit[p] = pairs.reach[p] = MOVED * size
-    if pairs.slot[p] < 0 and points.free[len(points.held)] == 0:
-        search.flag[0], search.flag[1] = NEED_POINTS, p
+    if pairs.slot[p] < 0 and points.free[len(points.number)] == 0:
+        search.refusal[REASON], search.refusal[PAIR] = NEED_POINTS, p
         pairs.mark[p] = -FAR
         return False
     return renew(near, p, count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend))
-
-
-@inner
-def let_go(near, p):
-    """A pair touches no more: its slot is free again, and what its points held is lost."""
-    pairs, points, s = near.pairs, near.points, near.pairs.slot[p]
-    if s < 0:
-        return
-    pressed, sheared = stored(pairs, points, near.rules, near.motion, p)
-    near.account[SHEAR_LOST] += sheared
-    near.account[NORMAL_GAINED] -= pressed
-    pairs.gained[p] -= pressed
-    pairs.slack[p] = pairs.damped[p] = 0.0
-    release(points, s)
-    pairs.slot[p] = -1
 
 
 @inner
@@ -99,79 +95,103 @@ def renew(near, p, count, own):
     """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
     pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
     pressed, sheared = stored(pairs, points, near.rules, motion, p)
-    s, had = pairs.slot[p], 0
-    if s < 0:
-        room = len(points.held)
+    former_count = 0
+    if pairs.slot[p] < 0:
+        room = len(points.number)
         points.free[room] -= 1
-        s = points.free[points.free[room]]
-        pairs.slot[p] = s
+        pairs.slot[p] = points.free[points.free[room]]
     else:
-        had = remember(pairs, points, motion, search, p)
-    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
-    side, axis, frame, position = outward(own), pairs.axis[p], motion.frame, search.position
-    pairs.points_of[p] = own
-    for i in range(3):  # F^T n, whatever the frame
-        along = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
-        pairs.normal[p, i] = side * along
-    total = deepest = 0.0
-    for k in range(count):
-        deepest = min(deepest, search.gap[k])
-        along, gap = 0.0, search.gap[k]
-        for i in range(3):
-            search.point[k, i] += 0.5 * side * gap * axis[i]  # from the middle to the face that the points belong to
-            along += axis[i] * (search.point[k, i] - position[ref, i])
-        x, y = search.point[k, 0] - position[other, 0], search.point[k, 1] - position[other, 1]
-        z = search.point[k, 2] - position[other, 2]
-        put_vector_of(points, s, k, PLACE, into(frame, motion.dual, other, x, y, z))
-        put_number_of(points, s, k, LEVEL, side * along - gap)
-        put_number_of(points, s, k, AREA, search.area[k])
-        points.feature[s, k] = search.feature[k]
-        if k >= had or search.was_feature[k] != search.feature[k]:
-            points.damper[s, k] = 0.0
-        total += search.area[k]
-    points.held[s] = count
-    if had > 0:
-        turn_tractions(search.was_shear, had, search.was_normal, axis, 0.0)
-        transfer(
-            *(search.was_point, search.was_area, search.was_feature, search.was_shear, had),
-            *(search.point, search.area, search.feature, search.shear, count, axis, near.scratch),
-        )
-    for k in range(-(-count // FOUR) * FOUR):
-        x, y, z = vector_at(search.shear, k, 0) if had > 0 and k < count else (0.0, 0.0, 0.0)
-        put_vector_of(points, s, k, SHEAR, (side * x, side * y, side * z))
-        if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
-            points.damper[s, k] = 0.0
-    set_dashpot(pairs, near.rules, search, p, total)
-    deep = BORN_DEEP * min(search.deep[ref], search.deep[other])
-    if had == 0 and -deepest > deep and not is_as_deep_beside(near, p, -deepest):
-        search.flag[0], search.flag[1] = TOO_DEEP, p
+        former_count = remember(near, p)
+    set_plane(near, p, own)
+    deepest, area = write_points(near, p, count, former_count)
+    hand_on_shear(near, p, count, former_count)
+    set_dashpot(pairs, near.rules, search, p, area)
+    deep = BORN_DEEP * min(search.deep[pairs.body[p, 0]], search.deep[pairs.body[p, 1]])
+    if former_count == 0 and -deepest > deep and not is_as_deep_beside(near, p, -deepest):
+        search.refusal[REASON], search.refusal[PAIR] = TOO_DEEP, p
         return False
     pairs.slack[p] = min(pairs.slack[p], 0.0)  # what a patch took over from bonds stays
     now_pressed, now_sheared = stored(pairs, points, near.rules, motion, p)
-    if had > 0 or search.flag[2] > 1:  # what presses from the start is as the scene says
+    if former_count > 0 or search.tally[SEARCHES] > 1:  # what presses from the start is as the scene says
         pairs.gained[p] += now_pressed - pressed
     near.account[SHEAR_LOST] += sheared - now_sheared
-    near.account[NORMAL_GAINED if had > 0 else BORN] += now_pressed - pressed
+    near.account[NORMAL_GAINED if former_count > 0 else BORN] += now_pressed - pressed
     return True
 
 
 @inner
-def remember(pairs, points, motion, search, p):
+def remember(near, p):
     """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
+    pairs, points, motion, former = near.pairs, near.points, near.motion, near.former
     s, own = pairs.slot[p], pairs.points_of[p]
     ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     n = plane_of(motion.frame, motion.dual, ref, x, y, z)
     for i in range(3):
-        search.was_normal[i] = outward(own) * n[i]
-    for k in range(points.held[s]):
+        former.normal[i] = outward(own) * n[i]
+    for k in range(points.number[s]):
         x, y, z = vector_of(points, s, k, PLACE)
         arm, shear = turned(motion.frame, other, x, y, z), vector_of(points, s, k, SHEAR)
         for i in range(3):
-            search.was_point[k, i] = search.position[other, i] + arm[i]
-            search.was_shear[k, i] = outward(own) * shear[i]
-        search.was_area[k], search.was_feature[k] = number_of(points, s, k, AREA), points.feature[s, k]
-    return points.held[s]
+            former.point[k, i] = near.search.position[other, i] + arm[i]
+            former.shear[k, i] = outward(own) * shear[i]
+        former.area[k], former.feature[k] = number_of(points, s, k, AREA), points.feature[s, k]
+    return points.number[s]
+
+
+@inner
+def set_plane(near, p, own):
+    """The plane lies in the block on the other side than the points, across the axis: F^T n, whatever the frame."""
+    pairs, frame, axis = near.pairs, near.motion.frame, near.pairs.axis[p]
+    ref, sign = pairs.body[p, 1 - own], outward(own)
+    pairs.points_of[p] = own
+    for i in range(3):
+        along = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
+        pairs.normal[p, i] = sign * along
+
+
+@inner
+def write_points(near, p, count, former_count):
+    """Write the points of a look, without their shear; returns the least gap, or 0, (m) and the whole area (m2)."""
+    pairs, points, motion, footprint = near.pairs, near.points, near.motion, near.footprint
+    s, own, axis, position = pairs.slot[p], pairs.points_of[p], pairs.axis[p], near.search.position
+    ref, other, sign = pairs.body[p, 1 - own], pairs.body[p, own], outward(own)
+    area = deepest = 0.0
+    for k in range(count):
+        deepest = min(deepest, footprint.gap[k])
+        along, gap = 0.0, footprint.gap[k]
+        for i in range(3):
+            footprint.point[k, i] += 0.5 * sign * gap * axis[i]  # from the middle to the face that the points belong to
+            along += axis[i] * (footprint.point[k, i] - position[ref, i])
+        x, y = footprint.point[k, 0] - position[other, 0], footprint.point[k, 1] - position[other, 1]
+        z = footprint.point[k, 2] - position[other, 2]
+        put_vector_of(points, s, k, PLACE, into(motion.frame, motion.dual, other, x, y, z))
+        put_number_of(points, s, k, LEVEL, sign * along - gap)
+        put_number_of(points, s, k, AREA, footprint.area[k])
+        points.feature[s, k] = footprint.feature[k]
+        if k >= former_count or near.former.feature[k] != footprint.feature[k]:
+            points.damper[s, k] = 0.0
+        area += footprint.area[k]
+    points.number[s] = count
+    return deepest, area
+
+
+@inner
+def hand_on_shear(near, p, count, former_count):
+    """The points take over the shear of the patch that was; without one they begin with none."""
+    pairs, points, footprint, former = near.pairs, near.points, near.footprint, near.former
+    s, axis, sign = pairs.slot[p], pairs.axis[p], outward(pairs.points_of[p])
+    if former_count > 0:
+        turn_tractions(former.shear, former_count, former.normal, axis, 0.0)
+        transfer(
+            *(former.point, former.area, former.feature, former.shear, former_count),
+            *(footprint.point, footprint.area, footprint.feature, footprint.shear, count, axis, near.scratch),
+        )
+    for k in range(-(-count // FOUR) * FOUR):
+        x, y, z = vector_at(footprint.shear, k, 0) if former_count > 0 and k < count else (0.0, 0.0, 0.0)
+        put_vector_of(points, s, k, SHEAR, (sign * x, sign * y, sign * z))
+        if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
+            points.damper[s, k] = 0.0
 
 
 @inner

@@ -8,7 +8,8 @@ from math import sqrt
 
 from masonry.jit.compiler import inner
 from masonry.kinematics.planes import into
-from masonry.patches.pair_search import FAR
+from masonry.patches.arrays import between
+from masonry.patches.pairs import FAR
 
 LEFT = 0.25
 """Of what a pair may move between two looks: with less of it left the pair is looked at."""
@@ -55,10 +56,8 @@ def pose_of(pairs, motion, p):
     a, b = pairs.body[p, 0], pairs.body[p, 1]
     if motion.radius[a] < motion.radius[b]:
         a, b = b, a
-    centre, place, frame, dual = motion.centre, motion.moved, motion.frame, motion.dual
-    dx = (centre[b, 0] - centre[a, 0]) + (place[b, 0] - place[a, 0])
-    dy = (centre[b, 1] - centre[a, 1]) + (place[b, 1] - place[a, 1])
-    dz = (centre[b, 2] - centre[a, 2]) + (place[b, 2] - place[a, 2])
+    frame, dual = motion.frame, motion.dual
+    dx, dy, dz = between(motion.centre, motion.moved, a, b)
     x, y, z = into(frame, dual, a, dx, dy, dz)
     xx, xy, xz = into(frame, dual, a, frame[b, 0, 0], frame[b, 1, 0], frame[b, 2, 0])
     yx, yy, yz = into(frame, dual, a, frame[b, 0, 1], frame[b, 1, 1], frame[b, 2, 1])

@@ -18,8 +18,8 @@ from math import sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner, jit
-from masonry.patches.arrays import AREA, number_of
-from masonry.patches.press import DASHPOT, NORMAL_GAINED, gap_of, stored
+from masonry.patches.arrays import AREA, DASHPOT, NORMAL_GAINED, number_of
+from masonry.patches.press import gap_of, stored
 
 ROUNDS = 60
 """Of Newton's method, at most: six are usual."""
@@ -29,16 +29,16 @@ ROUNDS = 60
 def settle(near):
     """Give slack to all pairs that gained normal energy in the looks of this step, as far as none on their faces lost
     as much; and to patches that lost some, but not to others on their faces. What goes with a pair is lost."""
-    pairs, lost, count = near.pairs, near.before.slot, 0  # `before` is free between two searches
+    pairs, losers, count = near.pairs, near.search.losers, 0
     for p in range(pairs.number[0]):
         if pairs.gained[p] < 0.0:
-            lost[count] = p
+            losers[count] = p
             count += 1
     for p in range(pairs.number[0]):
         if pairs.gained[p] <= 0.0:
             continue
         for k in range(count if pairs.witness[p, 0] == FACE else 0):
-            q = lost[k]
+            q = losers[k]
             if shares_face(pairs, p, q):
                 paid = min(pairs.gained[p], -pairs.gained[q])
                 pairs.gained[p] -= paid
@@ -47,9 +47,9 @@ def settle(near):
         count_patches(pairs, near.search.patches)
     for p in range(pairs.number[0]):
         if pairs.gained[p] > 0.0 or (pairs.gained[p] < 0.0 and is_alone(pairs, near.search.patches, p)):
-            holds = stored(pairs, near.points, near.rules, near.motion, p)[0]
+            pressed = stored(pairs, near.points, near.rules, near.motion, p)[0]
             paid = max(0.0, min(pairs.damped[p], pairs.gained[p]))
-            near.account[NORMAL_GAINED] += hold(near, p, holds - pairs.gained[p] + paid) - holds - paid
+            near.account[NORMAL_GAINED] += hold(near, p, pressed - pairs.gained[p] + paid) - pressed - paid
             near.account[DASHPOT] -= paid
             pairs.damped[p] -= paid
         pairs.gained[p] = 0.0
@@ -93,7 +93,7 @@ def hold(near, p, energy):
     wanted = sqrt(max(energy, 0.0))
     for _ in range(ROUNDS):
         twice = force = deepest = 0.0
-        for k in range(points.held[s]):
+        for k in range(points.number[s]):
             gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
             if gap < 0.0:
                 twice += number_of(points, s, k, AREA) * kn * gap * gap

@@ -7,6 +7,7 @@ from masonry.detection.axes import height
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner
 from masonry.kinematics.matrices import dot, minus, vector_at
+from masonry.patches.arrays import between
 from masonry.patches.press import gap_of
 
 NARROW = 0.02
@@ -25,7 +26,7 @@ def is_as_deep_beside(near, p, depth):
         if q == p or pairs.slot[q] < 0 or pairs.witness[q, 0] != FACE:
             continue
         if pairs.witness[p, 1] in pairs.witness[q, 1:] or pairs.witness[p, 2] in pairs.witness[q, 1:]:
-            for k in range(near.points.held[pairs.slot[q]]):
+            for k in range(near.points.number[pairs.slot[q]]):
                 if -gap_of(pairs, near.points, near.motion, q, k) >= 0.5 * depth:
                     return True
     return False
@@ -66,13 +67,13 @@ def is_sunk(near, p, count):
 def is_narrow(near, p, count):
     """Whether a patch is so narrow that is_sunk is asked, or that its corners are two; one only where a block has
     pieces."""
-    pieces, point, total, longest = near.pieces, near.search.point, 0.0, 0.0
+    pieces, point, total, longest = near.pieces, near.footprint.point, 0.0, 0.0
     if count == 1:
         start, a, b = pieces.piece_start, near.pairs.body[p, 0], near.pairs.body[p, 1]
         return max(start[a + 1] - start[a], start[b + 1] - start[b]) > 1
     for k in range(count):
         apart = minus(vector_at(point, k, 0), vector_at(point, 0, 0))
-        total, longest = total + near.search.area[k], max(longest, sqrt(dot(apart, apart)))
+        total, longest = total + near.footprint.area[k], max(longest, sqrt(dot(apart, apart)))
     return total < NARROW * longest * min(pieces.radius[near.pairs.piece[p, 0]], pieces.radius[near.pairs.piece[p, 1]])
 
 
@@ -100,10 +101,9 @@ def covered_by(near, count, p, q, t):
 @inner
 def place(near, first, block):
     """Write where a block is, from the first one of a pair: so it is the same everywhere in space."""
-    motion = near.motion
+    from_first = between(near.motion.centre, near.motion.moved, first, block)
     for i in range(3):
-        from_first = motion.centre[block, i] - motion.centre[first, i]
-        near.search.position[block, i] = from_first + (motion.moved[block, i] - motion.moved[first, i])
+        near.search.position[block, i] = from_first[i]
 
 
 @inner
@@ -111,7 +111,7 @@ def heights_on(near, block, face, count):
     """The least and the greatest height (m) of the points of a look above a face of a block."""
     turned, low, high = near.turned, inf, -inf
     for k in range(count):
-        x, y, z = minus(vector_at(near.search.point, k, 0), vector_at(near.search.position, block, 0))
+        x, y, z = minus(vector_at(near.footprint.point, k, 0), vector_at(near.search.position, block, 0))
         above = height(turned.normal, turned.offset, face, x, y, z)
         low, high = min(low, above), max(high, above)
     return low, high
@@ -120,9 +120,9 @@ def heights_on(near, block, face, count):
 @inner
 def face_along(near, piece, n):
     """The free face of a piece that looks most along n, and the cosine between both."""
-    normal, face_start, found, most = near.turned.normal, near.pieces.face_start, 0, -2.0
+    normal, face_start, face, most = near.turned.normal, near.pieces.face_start, 0, -2.0
     for f in range(face_start[piece], face_start[piece + 1]):
         along = dot(vector_at(normal, f, 0), n)
         if along > most and not near.pieces.inner[f]:
-            found, most = f, along
-    return found, most
+            face, most = f, along
+    return face, most

@@ -5,6 +5,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
+from masonry.patches.arrays import LOOKS
 from masonry.timeloop.compiled_step import advance_model
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
@@ -38,9 +39,9 @@ def flown(left: tuple, right: tuple):
     model = assemble(piles(left, right)).model
     near = model.large.near
     advance_model(model, Chunk(np.ones(2), np.zeros(2), False), 1, 0, 1, np.zeros(1))
-    begun = int(near.search.flag[3])
+    begun = int(near.search.tally[LOOKS])
     advance_model(model, Chunk(np.ones(STEPS + 1), np.zeros(STEPS + 1), False), 1, 0, STEPS, np.zeros(STEPS))
-    return model, (int(near.search.flag[3]) - begun) / STEPS / int(near.pairs.number[0])
+    return model, (int(near.search.tally[LOOKS]) - begun) / STEPS / int(near.pairs.number[0])
 
 
 def test_pairs_that_move_as_one_are_hardly_looked_at():

@@ -10,7 +10,8 @@ from geometry.polyhedra.measures import bounds
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.patches.press import DASHPOT, NORMAL_GAINED, deepest, stored_energy
+from masonry.patches.arrays import DASHPOT, NORMAL_GAINED
+from masonry.patches.press import deepest, stored_energy
 from masonry.patches.refreshing import refresh
 from tests.large.made import DENSITY, G, dry, slab
 from tests.scenes import box

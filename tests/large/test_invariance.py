@@ -13,7 +13,8 @@ from masonry.detection.broad import cells_for
 from masonry.laboratory import laboratory
 from masonry.laboratory.cost import candidates
 from masonry.laboratory.text import check_text
-from masonry.patches.arrays import no_pairs, no_points
+from masonry.patches.arrays import no_points
+from masonry.patches.pairs import no_pairs
 from tests.large.made import dry, leaning
 from tests.scenes import box
 
@@ -95,14 +96,14 @@ def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypat
     monkeypatch.setattr(large_motion, "make_room", lambda model: more.append(usual(model)))
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert 1 <= len(more) <= 3, "from 1 to 2 to 4 slots"
-    assert len(built.model.large.near.points.held) in (2, 4)
+    assert len(built.model.large.near.points.number) in (2, 4)
     assert apart(outcome.history.rows, 0.3) < 1e-12
     kept, other = model_state.state(built.model), assemble(scene()).model
     object.__setattr__(other.large, "near", other.large.near._replace(points=room, pairs=no_pairs(1)))
     model_state.restore(other, kept)
     assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(other).items())
     roomy = assemble(scene()).model  # as a run that goes back from where it had got more room
-    assert len(roomy.large.near.points.held) > len(kept["points.0"])
+    assert len(roomy.large.near.points.number) > len(kept["points.number"])
     model_state.restore(roomy, kept)
     assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(roomy).items())
 
@@ -111,7 +112,7 @@ def test_pairs_that_outgrow_their_room_get_more_too():
     built = assemble(scene())
     near = built.model.large.near
     few = {"pairs": no_pairs(1), "before": no_pairs(1), "cells": cells_for(near.pieces, 1)}
-    search = near.search._replace(found=np.zeros((1, 2), dtype=np.int64))
+    search = near.search._replace(candidates=np.zeros((1, 2), dtype=np.int64))
     object.__setattr__(built.model.large, "near", near._replace(search=search, **few))
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert len(built.model.large.near.pairs.slot) > 2

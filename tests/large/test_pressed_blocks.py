@@ -30,7 +30,7 @@ def pressed(turned: np.ndarray):
     rigid.frame[0], affine.frame[0], affine.q[0, 3:] = turned, frame, (frame - np.eye(3)).ravel()
     gather(model)
     assert refresh(model.large.near) >= 0.0
-    assert model.large.near.points.held[0] == 4
+    assert model.large.near.points.number[0] == 4
     return model
 
 

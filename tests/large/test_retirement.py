@@ -10,7 +10,7 @@ from masonry import scene
 from masonry.configuration.energy import open_in_contacts
 from masonry.configuration.retirement import areas_of, pressures_of
 from masonry.laboratory import laboratory
-from masonry.patches.press import BORN, NORMAL_GAINED, SHEAR_LOST
+from masonry.patches.arrays import BORN, NORMAL_GAINED, SHEAR_LOST
 from masonry.timeloop import loop
 from tests.large.made import G, dry, slab
 from tests.scenes import box

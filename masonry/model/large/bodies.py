@@ -70,8 +70,8 @@ def deforming_tets(body: Tets, apart: np.ndarray | None, framed: bool = True) ->
 def _common(body: Any, names: tuple[str, ...]) -> dict[str, Any]:
     """Fields that stay, and the account of works with room for a fourth."""
     work = None if body.work is None else np.zeros((len(body.work), 4))
-    kept = ("v", "dt_over_mass", "contact", "hold", "start", "code", *names)
-    return {"work": work, **{name: getattr(body, name) for name in kept}}
+    fields = ("v", "dt_over_mass", "contact", "hold", "start", "code", *names)
+    return {"work": work, **{name: getattr(body, name) for name in fields}}
 
 
 def _moments_turned_out(values: np.ndarray | None, axes: np.ndarray | None) -> np.ndarray | None:

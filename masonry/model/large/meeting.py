@@ -25,7 +25,8 @@ from masonry.model.large.motion import free_bodies, masses_behind, masses_of, mo
 from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
-from masonry.patches.arrays import Near, Rules, Search, no_pairs, no_points
+from masonry.patches.arrays import Near, Rules, Search, no_footprint, no_former_patch, no_points
+from masonry.patches.pairs import no_pairs
 
 LEAST = 1e-2
 """Of the area of a face of a cube of the block's volume: what a contact of two edges or a corner stands on."""
@@ -160,19 +161,19 @@ def turning_of(rigid: Rigid, inertia: np.ndarray, apart: np.ndarray) -> Turning:
 def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     """Pace (B, 6) whose turns are about x, y, z: a held principal axis lies along one of them."""
     along = np.abs(axes).argmax(axis=1)  # (B, 3): x, y or z of each principal axis
-    found = np.array(dt_over_mass)
-    np.put_along_axis(found[:, 3:], along, dt_over_mass[:, 3:], axis=1)
-    return found
+    pace = np.array(dt_over_mass)
+    np.put_along_axis(pace[:, 3:], along, dt_over_mass[:, 3:], axis=1)
+    return pace
 
 
 def without_sides(bodies: Bodies, sides: np.ndarray, dry: np.ndarray) -> tuple[Bodies, np.ndarray]:
     """Rigid bodies without the sides of dry contacts (C,), which patches replace; rows of u (C, 2) of the others."""
     body = bodies.rigid
-    kept, first = ~dry[body.code // 2], int(body.first_point)
-    number = np.concatenate([[0], np.cumsum(kept)])
+    bonded, first = ~dry[body.code // 2], int(body.first_point)
+    number = np.concatenate([[0], np.cumsum(bonded)])
     rows = np.where(dry[:, None], 0, first + number[np.asarray(sides, dtype=np.int64) - first])
-    start, code = number[body.start].astype(np.uint32), body.code[kept]
-    body = body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[kept]))
+    start, code = number[body.start].astype(np.uint32), body.code[bonded]
+    body = body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[bonded]))
     return bodies._replace(rigid=body), rows.astype(np.uint32)
 
 
@@ -193,13 +194,13 @@ def near_of(
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
     count, size = len(pieces.block), sizes_of(layout, tets)
     most, room = most_points(pieces) * (2 if meetings.spread else 1), 8 * len(pieces.body) + 64
-    k = (np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64))
+    pair_keys = keys(bonded, len(pieces.body))
     search = Search(
         group=blocks.group.astype(np.int64)[pieces.block],
         unit=blocks.unit.astype(np.int64)[pieces.block],
         law_of=meetings.law_of,
-        bonded=keys(bonded, len(pieces.body)),
-        held=np.ones(len(keys(bonded, len(pieces.body))), dtype=bool),
+        bonded=pair_keys,
+        alive=np.ones(len(pair_keys), dtype=bool),
         moves=free_bodies(layout, bodies, tets),
         mass=masses_of(layout, masses, pieces.block) if tets is None else masses_behind(layout, masses)[pieces.block],
         meshed=tets is not None,
@@ -209,27 +210,30 @@ def near_of(
         built=np.full(count, -1e30),
         skin=np.array([meetings.skin * size[: blocks.count].mean()]),
         spread=meetings.spread,
-        point=k[0],
-        gap=k[1],
-        area=k[2],
-        feature=k[3],
-        shear=np.zeros((most, 3)),
-        was_normal=np.zeros(3),
-        was_point=np.zeros((most, 3)),
-        was_shear=np.zeros((most, 3)),
-        was_area=np.zeros(most),
-        was_feature=np.zeros(most, dtype=np.int64),
-        found=np.zeros((room, 2), dtype=np.int64),
+        candidates=np.zeros((room, 2), dtype=np.int64),
+        losers=np.zeros(room, dtype=np.int64),
         patches=np.zeros(len(pieces.normal), dtype=np.int64),
         stale=np.zeros(len(pieces.normal), dtype=bool),
         stale_block=np.zeros(count, dtype=bool),
-        flag=np.zeros(4, dtype=np.int64),
+        refusal=np.zeros(3, dtype=np.int64),
+        tally=np.zeros(2, dtype=np.int64),
     )
     motion, members = motion_of(layout, bodies, pieces.reach, tets)
     near = Near(
-        pieces, turned_of(pieces), cells_for(pieces, room), no_pairs(room), no_pairs(room), no_points(room, most),
-        meetings.rules, motion, search, scratch_of(pieces), np.zeros(5),
-    )  # fmt: skip
+        pieces=pieces,
+        turned=turned_of(pieces),
+        cells=cells_for(pieces, room),
+        pairs=no_pairs(room),
+        before=no_pairs(room),
+        points=no_points(room, most),
+        rules=meetings.rules,
+        motion=motion,
+        search=search,
+        footprint=no_footprint(most),
+        former=no_former_patch(most),
+        scratch=scratch_of(pieces),
+        account=np.zeros(5),
+    )
     return near, members
 
 

@@ -5,8 +5,17 @@ import numpy as np
 import pytest
 
 from masonry.configuration import energy
-from masonry.patches.arrays import AREA, PLACE, SHEAR
-from masonry.patches.press import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST, gap_of
+from masonry.patches.arrays import (
+    AREA,
+    BORN,
+    DASHPOT,
+    FRICTION,
+    NORMAL_GAINED,
+    PLACE,
+    SHEAR,
+    SHEAR_LOST,
+)
+from masonry.patches.press import gap_of
 from masonry.patches.press import stored as energies
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
@@ -110,20 +119,23 @@ def test_a_block_that_flies_off_spends_its_shear_and_lands_without_memory(straig
     assert spent[FRICTION] == pytest.approx(sheared, rel=1e-12) and sheared > 0.0
     assert not np.delete(spent, FRICTION).any()
     shifted(straight, 0.0, 0.0, -0.6)
-    assert near.points.held[slot(straight)] == 4 and not shear(straight).any()
+    assert near.points.number[slot(straight)] == 4 and not shear(straight).any()
     assert held(straight) == pytest.approx([0.0, 0.0], abs=1e-9 * pressed)
     spent = near.account - before
     assert spent[NORMAL_GAINED] + spent[BORN] == pytest.approx(0.0, abs=1e-9 * pressed)
     assert spent[FRICTION] == pytest.approx(sheared, rel=1e-12) and spent[SHEAR_LOST] == spent[DASHPOT] == 0.0
 
 
-def test_a_block_that_leaves_its_slab_while_it_is_pressed_leaves_both_energies_in_the_account(straight):
+@pytest.mark.parametrize(("shift", "pairs"), [(0.212, 1), (3.0, 0)], ids=["beside", "far"])
+def test_a_block_that_leaves_its_slab_while_it_is_pressed_leaves_both_energies_in_the_account(straight, shift, pairs):
+    """Whether it is still near the slab, or so far that they are no pair any more."""
     shifted(straight, 1.9, 0.0, 0.0)
     shear(straight)[...] = SHEARED
-    near, (pressed, sheared) = straight.large.near, held(straight)
+    near, (pressed, sheared), free = straight.large.near, held(straight), straight.large.near.points.free[-1]
     before = near.account.copy()
-    shifted(straight, 0.212, 0.0, 0.0)
-    assert near.pairs.number[0] == 1 and near.pairs.slot[0] < 0
+    shifted(straight, shift, 0.0, 0.0)
+    assert near.pairs.number[0] == pairs and not (near.pairs.slot[:pairs] >= 0).any()
+    assert near.points.free[-1] == free + 1 and not near.points.number.any()
     lost = near.account - before
     assert lost[SHEAR_LOST] == pytest.approx(sheared, rel=1e-12) and sheared > 0.0
     assert lost[NORMAL_GAINED] + lost[BORN] == pytest.approx(-pressed, rel=1e-12)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.patches.arrays import LOOKS, SEARCHES
 from masonry.patches.press import stored_energy
 from masonry.patches.refreshing import count_travel, refresh
 from tests.kinematics.bricks import turn
@@ -26,13 +27,13 @@ def standing(pressed: float = 1e-5):
 
 def looks(model, moved=(0.0, 0.0, 0.0), travel: float | None = None, turned=None) -> int:
     """How many pairs are looked at after the block has moved (m) and turned."""
-    near, before = model.large.near, int(model.large.near.search.flag[3])
+    near, before = model.large.near, int(model.large.near.search.tally[LOOKS])
     model.bodies.rigid.q[1, :3] += moved
     if turned is not None:
         model.bodies.rigid.frame[1] = turned @ model.bodies.rigid.frame[1]
     near.motion.travel[1] += np.linalg.norm(moved) if travel is None else travel
     assert refresh(near) >= 0.0
-    return int(near.search.flag[3]) - before
+    return int(near.search.tally[LOOKS]) - before
 
 
 @pytest.mark.parametrize(("lean", "limit"), [(0.0, 0.001), (0.02, 0.01)])
@@ -71,14 +72,14 @@ def test_travel_alone_is_no_reason_until_a_quarter_of_the_way_is_left(moved, loo
 def test_blocks_that_move_together_are_not_looked_at():
     model = standing()
     near, rigid = model.large.near, model.bodies.rigid
-    before, way = int(near.search.flag[3]), turn(1, 0.3)
+    before, way = int(near.search.tally[LOOKS]), turn(1, 0.3)
     for b in (0, 1):
         rigid.q[b, :3] += (way - np.eye(3)) @ model.layout.centroid[b] + (0.4, 0.0, 0.2)
         rigid.frame[b] = way
         near.motion.travel[b] += 1e-3
     energy = stored_energy(near)
     assert refresh(near) >= 0.0
-    assert int(near.search.flag[3]) == before
+    assert int(near.search.tally[LOOKS]) == before
     assert stored_energy(near) == pytest.approx(energy, rel=1e-9)
 
 
@@ -99,10 +100,10 @@ def test_travel_is_counted_by_the_speed_of_the_farthest_point_and_a_search_follo
     count_travel(near.motion, 1e-5)
     step = (5.0 + 12.0 * SIDE * 0.75**0.5) * 1e-5
     assert near.motion.travel - before == pytest.approx([0.0, step], rel=1e-9)
-    searches, skin = int(near.search.flag[2]), float(near.search.skin[0])
+    searches, skin = int(near.search.tally[SEARCHES]), float(near.search.skin[0])
     near.motion.travel[1] = near.search.built[1] + 0.99 * skin
     refresh(near)
-    assert int(near.search.flag[2]) == searches
+    assert int(near.search.tally[SEARCHES]) == searches
     near.motion.travel[1] = near.search.built[1] + 1.01 * skin
     refresh(near)
-    assert int(near.search.flag[2]) == searches + 1
+    assert int(near.search.tally[SEARCHES]) == searches + 1

@@ -4,16 +4,8 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.patches.press import (
-    BORN,
-    DASHPOT,
-    FRICTION,
-    NORMAL_GAINED,
-    SHEAR_LOST,
-    point_forces,
-    press,
-    stored_energy,
-)
+from masonry.patches.arrays import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
+from masonry.patches.press import point_forces, press, stored_energy
 from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
 from tests.large.made import DENSITY, dry, slab
