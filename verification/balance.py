@@ -55,8 +55,8 @@ def open_by(result: Result) -> float:
     work, size = max(float(np.abs(rows["external_work"]).max()), *loads, 0.0), largest(rows)
     gap = float(np.abs(residual(rows)).max())
     imbalance = gap / (work or size) if gap else 0.0
-    told = float(result.summary["energy_imbalance"])
-    agrees = honest(rows) and (work == 0.0 or abs(told - imbalance) <= SAME * size / work)
+    reported = float(result.summary["energy_imbalance"])
+    agrees = honest(rows) and (work == 0.0 or abs(reported - imbalance) <= SAME * size / work)
     return imbalance if agrees else np.inf
 
 

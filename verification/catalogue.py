@@ -27,19 +27,19 @@ def catalogue() -> dict[str, Case]:
 
     Raises ValueError where two share a name, and for a module without a case, which would be missing and nobody knew.
     """
-    found: dict[str, Case] = {}
+    by_name: dict[str, Case] = {}
     for entry in pkgutil.walk_packages(cases.__path__, f"{cases.__name__}."):
         if entry.ispkg:
             continue
         module = importlib.import_module(entry.name)
-        held: list[Case] = [*getattr(module, "CASES", ()), *([module.CASE] if hasattr(module, "CASE") else [])]
-        if not held:
+        own_cases: list[Case] = [*getattr(module, "CASES", ()), *([module.CASE] if hasattr(module, "CASE") else [])]
+        if not own_cases:
             raise ValueError(f"{entry.name} holds no case: it must end with CASE = Case(...) or with CASES")
-        for case in held:
-            if case.name in found:
+        for case in own_cases:
+            if case.name in by_name:
                 raise ValueError(f"two cases are called '{case.name}', one of {entry.name}")
-            found[case.name] = case
-    return dict(sorted(found.items(), key=lambda item: (*_row(item[1].row), item[0])))
+            by_name[case.name] = case
+    return dict(sorted(by_name.items(), key=lambda item: (*_row(item[1].row), item[0])))
 
 
 def formula(case: Case) -> str:

@@ -109,8 +109,8 @@ def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
             _write(words.out, cut.done, seconds)
     which = " ".join(["--full"] if words.full else words.cases)
     again = f"masonry verify {f'{which} ' if which else ''}--out {words.out} --missing"
-    kept = "their numbers are above; with --out DIR they are kept in a file"
-    go_on = f"continue with: {again}" if words.out else kept
+    elsewhere = "their numbers are above; with --out DIR they are kept in a file"
+    go_on = f"continue with: {again}" if words.out else elsewhere
     return complain(f"interrupted; {len(cut.done)} of {count} cases are done; {go_on}", cut.code)
 
 

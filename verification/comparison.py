@@ -74,12 +74,12 @@ def _number(old: Record, new: Record) -> list[Change]:
 
 def _times(records: dict[tuple[Any, ...], Record]) -> dict[str, float]:
     """Seconds by case, or by setting where a record has one; of stepping alone where known: compiling tells nothing."""
-    found: dict[str, float] = {}
+    times: dict[str, float] = {}
     for r in records.values():
         seconds = r["seconds_stepping"] if "seconds_stepping" in r else r.get("seconds")
         if seconds:
-            found[_where({**r, "quantity": None})] = seconds
-    return found
+            times[_where({**r, "quantity": None})] = seconds
+    return times
 
 
 def _time(where: str, was: float | None, seconds: float) -> list[Change]:

@@ -173,8 +173,8 @@ def time_to(points: list[tuple[float, float, str]], target: float) -> tuple[floa
 
 def front(points: list[Point]) -> list[Point]:
     """The settings that no other one beats in both time and error, the quickest first."""
-    kept: list[Point] = []
+    nondominated: list[Point] = []
     for point in sorted(points, key=lambda p: (p.seconds, p.error)):
-        if not kept or point.error < kept[-1].error:
-            kept.append(point)
-    return kept
+        if not nondominated or point.error < nondominated[-1].error:
+            nondominated.append(point)
+    return nondominated

@@ -131,8 +131,8 @@ def load(path: Path) -> list[Record]:
 def merged(old: list[Record], new: list[Record]) -> list[Record]:
     """Old and new: of the same version, chapter and case only the new ones stay; all else is kept, and stays first."""
     replaced = {(*version_of(r), r.get("chapter"), r["case"]) for r in new}
-    kept = [r for r in old if (*version_of(r), r.get("chapter"), r["case"]) not in replaced]
-    return kept + new
+    others = [r for r in old if (*version_of(r), r.get("chapter"), r["case"]) not in replaced]
+    return others + new
 
 
 def done(folder: Path) -> set[str]:
@@ -140,8 +140,8 @@ def done(folder: Path) -> set[str]:
     path, mine = folder / NAME, origin()
     same = ("version", "source_hash", "reference_hash", "processor")
     records = load(path) if path.exists() else []
-    held = [r for r in records if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
-    return {r["case"] for r in held if all(r.get(key) == mine[key] for key in same)}
+    passed = [r for r in records if r.get("chapter") == CASES and r.get("status") in ("PASS", "NOT BUILT")]
+    return {r["case"] for r in passed if all(r.get(key) == mine[key] for key in same)}
 
 
 def require_writable(folder: Path) -> None:

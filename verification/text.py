@@ -60,7 +60,7 @@ def verdict(outcomes: Sequence[Outcome], seconds: float) -> str:
 
 def notes(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
     """Heading -> its sentences, of those that have any."""
-    found = {
+    by_heading = {
         "Does not hold": [sentence for o in outcomes for sentence in failures(o)],
         f"Too loose (passes by more than {LOOSE:.0f} times)": loose(outcomes),
         f"Worse than expected (holds, but by more than {UNEXPECTED:.0f} times the error that it should have)": [
@@ -75,17 +75,19 @@ def notes(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
         ],
         "Not built": [f"{o.case.name}: {o.reason}" for o in outcomes if o.status == "NOT BUILT"],
     }
-    return {heading: sentences for heading, sentences in found.items() if sentences}
+    return {heading: sentences for heading, sentences in by_heading.items() if sentences}
 
 
 def changes_notes(changes: Sequence[Change]) -> dict[str, list[str]]:
     """A comparison under headings; one sentence where nothing changed."""
-    found = {
+    by_heading = {
         "Moved": [f"{c.where}: {c.sentence}" for c in changes if c.bad],
         "Changed, no harm": [f"{c.where}: {c.sentence}" for c in changes if not c.bad],
     }
-    kept = {heading: sentences for heading, sentences in found.items() if sentences}
-    return kept or {"Compared": ["no number moved by more than its tolerance, no time changed by more than 1.5 times"]}
+    sections = {heading: sentences for heading, sentences in by_heading.items() if sentences}
+    return sections or {
+        "Compared": ["no number moved by more than its tolerance, no time changed by more than 1.5 times"]
+    }
 
 
 def as_text(rows: Sequence[Sequence[str]], header: Sequence[str], under: dict[str, list[str]], last: str) -> str:

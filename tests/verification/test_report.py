@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from verification.html import page
 from verification.html.page import Chapter, Link, Verdict, escape, table, without_dead_links
-from verification.report.__main__ import found, write
+from verification.report.__main__ import study_chapters, write
 from verification.stability.cells import Cell, Grid
 from verification.stability.references import sheared
 from verification.studies import couplet, energy_balance, stability
@@ -115,7 +115,7 @@ def test_text_in_the_page_is_escaped():
 
 
 def test_all_studies_are_found_without_a_list_and_in_their_order():
-    names = list(found())
+    names = list(study_chapters())
     assert names[0] == "couplet" and names[-1] == "energy_balance" and len(names) >= 6
 
 

@@ -22,8 +22,8 @@ STRONG = build(
 def loose(kn: float, ks: float = 0.0) -> tuple:
     """Contacts with stiffnesses in Pa/m that press and never pull; without friction."""
     numbers = {"tensile_strength": 0.0, "cohesion": 0.0, "tan_friction": 0.0, "tan_residual_friction": 0.0}
-    given = {"law": "exponential", "normal_stiffness": kn, "shear_stiffness": ks or kn}
-    return build("unit_unit", {**TABLE_1, **numbers, **given})
+    keys = {"law": "exponential", "normal_stiffness": kn, "shear_stiffness": ks or kn}
+    return build("unit_unit", {**TABLE_1, **numbers, **keys})
 
 
 def glued(kn: float, ks: float) -> tuple:

@@ -113,8 +113,8 @@ def _loaded(setup: shapes.Setup, law: tuple, rotation: np.ndarray, stepping: Ste
     """Blocks 0 and 1 (by their old numbers) held; weight, and a traction on top."""
     where = np.argsort(order)
     push = Push(np.array([setup.blocks.block_face_start[where[4]]]), rotation @ np.array([6e4, 3e4, -3e4]))
-    held = models.everything(int(where[0]), int(where[1]))
-    return models.make(setup, law, stepping, [held], [push], gravity=rotation @ np.array([80.0, 60.0, -40.0]))
+    supports = models.everything(int(where[0]), int(where[1]))
+    return models.make(setup, law, stepping, [supports], [push], gravity=rotation @ np.array([80.0, 60.0, -40.0]))
 
 
 def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, steps: int, stepping: Stepping) -> None:

@@ -29,7 +29,7 @@ def law_of(contact: Contact) -> Law:
     """The joint that a scene's table describes."""
     if contact.law == "elastic":
         return Law("elastic", contact.normal_stiffness, contact.shear_stiffness)
-    given = {
+    properties = {
         "fT": contact.tensile_strength,
         "c0": contact.cohesion,
         "tan0": contact.tan_friction,
@@ -41,6 +41,6 @@ def law_of(contact: Contact) -> Law:
         "alpha": contact.exponent_tension,
         "beta": contact.exponent_shear,
     }
-    numbers = {name: float(value) for name, value in given.items() if value is not None}
+    numbers = {name: float(value) for name, value in properties.items() if value is not None}
     combined = contact.coupling == "combined"
     return Law(contact.law, contact.normal_stiffness, contact.shear_stiffness, combined=combined, **numbers)

@@ -33,7 +33,7 @@ def at_the_end(one: Run) -> float:
     return float(one.rows["kinetic"][-1])
 
 
-def kept(one: Run) -> dict[str, float]:
+def rebound(one: Run) -> dict[str, float]:
     """What is left of the energy of motion after over before, as a speed."""
     return {"restitution": float(np.sqrt(at_the_end(one) / one.rows["kinetic"][1]))}
 
@@ -112,7 +112,7 @@ PROBLEMS = (
         *("bounce", "A block that bounces on springs and dashpots", "dry-block"),
         {STEP: steps(), SKIN: skins()},
         USUAL | BOUNCING,
-        measure=kept,
+        measure=rebound,
         exact=lambda _: {"restitution": restitution(ZETA)},
         units={"restitution": "1"},
         shipped=(STEP, "0.9"),

@@ -34,12 +34,12 @@ def exact_values(one: Run) -> dict[str, float]:
     assert loaded.drive is not None
     slip = np.linspace(0.0, loaded.drive.farthest, 400_001)
     tau = exact_stress(one.scene, one.knobs, slip)
-    held = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
+    stored = 0.5 * tau[-1] ** 2 / loaded.contact["unit_unit"].shear_stiffness
     area = loaded.specimen.length * loaded.specimen.width  # type: ignore[union-attr]
     return {
         "peak": float(tau.max()),
         "final": float(tau[-1]),
-        "dissipated": area * float(np.trapezoid(tau, slip) - held),
+        "dissipated": area * float(np.trapezoid(tau, slip) - stored),
     }
 
 

@@ -37,8 +37,12 @@ def cells(extra: dict[str, Any], *sizes: tuple[int, ...]) -> Refinement:
 def motions(mesh: str, extra: dict[str, Any]) -> Refinement:
     """How the units move."""
     tets: dict[str, Any] = {"kinematics": {"units": "tets"}, "specimen.mesh_size": mesh}
-    given: Refinement = {"rigid": {"kinematics": "rigid"}, "affine": {"kinematics": {"units": "affine"}}, "tets": tets}
-    return {label: {**knobs, **extra} for label, knobs in given.items()}
+    by_kinematics: Refinement = {
+        "rigid": {"kinematics": "rigid"},
+        "affine": {"kinematics": {"units": "affine"}},
+        "tets": tets,
+    }
+    return {label: {**knobs, **extra} for label, knobs in by_kinematics.items()}
 
 
 def couplet() -> Problem:

@@ -39,7 +39,7 @@ def measure(rounds: int = ROUNDS) -> Speed:
     ours()
     by_hand()
     alike = bool(np.allclose(models.forces(model), twin.force[:, :3], rtol=1e-6, atol=1e-9 * np.abs(twin.force).max()))
-    found = against((ours, models.stepping(model, 0)), (by_hand, twin.stepping(0)), rounds)
+    times = against((ours, models.stepping(model, 0)), (by_hand, twin.stepping(0)), rounds)
     points = len(model.joints.area)
     each = 1e9 / STEPS / points
-    return Speed(each * found.ours, each * found.by_hand, found.spread, points, alike)
+    return Speed(each * times.ours, each * times.by_hand, times.spread, points, alike)

@@ -18,7 +18,7 @@ CASES, PAPER = "cases", "paper"
 PAGE = "report.html"
 
 
-def found() -> dict[str, Callable[[Tell], Chapter]]:
+def study_chapters() -> dict[str, Callable[[Tell], Chapter]]:
     """Name -> `chapter` of every module of `verification.studies` that has one, by its ORDER."""
     chosen = sorted((m for m in catalogue.modules_of(studies) if hasattr(m, "chapter")), key=lambda m: m.ORDER)
     return {m.__name__.rpartition(".")[2]: m.chapter for m in chosen}
@@ -36,7 +36,11 @@ def main(arguments: list[str] | None = None) -> int:
     """The command line; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m verification.report", description=__doc__)
     parser.add_argument("--out", type=Path, default=OUT, help="folder to write to (default: results)")
-    parts = [CASES, *found(), *([PAPER] if find_spec("verification.paper") else [])]  # no part of what pip installs
+    parts = [
+        CASES,
+        *study_chapters(),
+        *([PAPER] if find_spec("verification.paper") else []),
+    ]  # no part of what pip installs
     parser.add_argument("--only", nargs="+", choices=parts, metavar="PART", help=f"of {', '.join(parts)}")
     parser.add_argument("--quick", action="store_true", help="only the quick cases, and a quick look at the paper")
     words = parser.parse_args(arguments)
@@ -52,7 +56,7 @@ def main(arguments: list[str] | None = None) -> int:
         wanted = [case for case in catalogue.catalogue().values() if case.quick or not words.quick]
         outcomes = runner.run(wanted, tell=tell)
         chapters += cases.chapters(outcomes, time.perf_counter() - begun)
-    chapters += [chapter(tell) for name, chapter in found().items() if not words.only or name in words.only]
+    chapters += [chapter(tell) for name, chapter in study_chapters().items() if not words.only or name in words.only]
     if PAPER in (words.only or parts):
         from verification.paper import catalogue as experiments
         from verification.paper import gathering, page

@@ -35,7 +35,7 @@ def impacts(full: bool) -> Grid:
                 "solver.step_fraction": 0.1,
             }
             through = speed * period > 1.0  # it would enter the slab by more than its size
-            cells[f"{speed:g}", f"{kn:.0e}"] = Cell(SCENE, knobs, kept, ("STOPPED",) if through else SOUND)
+            cells[f"{speed:g}", f"{kn:.0e}"] = Cell(SCENE, knobs, rebound, ("STOPPED",) if through else SOUND)
     note = "What enters the slab by more than 1 % of the block is told; by more than a half, it ends the run."
     return Grid("A block that hits a slab", "speed [m/s]", "kn [Pa/m]", cells, note=note)
 
@@ -97,7 +97,7 @@ def rules(kn: float, friction: float, zeta: float) -> Knobs:
     }
 
 
-def kept(one: Run) -> dict[str, Exact]:
+def rebound(one: Run) -> dict[str, Exact]:
     """Speed after the impact over that before."""
     energy = one.rows["kinetic"]
     return {"restitution": Exact(float(np.sqrt(energy[-1] / energy[0])), restitution(ZETA))}

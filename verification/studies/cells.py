@@ -1,4 +1,4 @@
-"""Cells of units and mortar beds: what was asked and what came of it, what it cost, and how well tets fit into them."""
+"""Cells of units and mortar beds: what a request gave, what it cost, and how well tets fit into them."""
 
 import time
 from collections.abc import Callable
@@ -32,7 +32,7 @@ class Case:
     name: str
     low: np.ndarray
     high: np.ndarray
-    asked: CellRequest
+    request: CellRequest
     neper: str
     edge: float = 0.35
     small: float = 0.0
@@ -98,21 +98,21 @@ INTRODUCTION = (
 
 
 def _divided(case: Case, seed: int):
-    asked = CellRequest(total=case.asked.total, space=case.asked.space, seed=seed)
-    return fill_with_cells(case.low, case.high, asked, "units")
+    request = CellRequest(total=case.request.total, space=case.request.space, seed=seed)
+    return fill_with_cells(case.low, case.high, request, "units")
 
 
 def _row(case: Case, reports: list[CellReport], met: list[bool]) -> list[page.Cell | str]:
     edge, small = min(r.shortest_over_mean for r in reports), max(r.small_edges for r in reports)
     size, joints = max(r.size_error for r in reports), [r.shortest_joint for r in reports if r.shortest_joint]
-    asked = [
+    limits = [
         (f"{edge:.2f}", edge >= case.edge, f"{case.edge:g}"),
         (page.percent(small), small <= case.small, page.percent(case.small)),
         (f"{size:.0e}", size <= case.size, f"{case.size:g}"),
     ]
-    asked += [(f"{min(joints):.2f} h", min(joints) >= case.joint, f"{case.joint:g} h")] if joints else []
-    met += [good for _, good, _ in asked]
-    cells = [page.judged(text, good, f"sought {sought}") for text, good, sought in asked]
+    limits += [(f"{min(joints):.2f} h", min(joints) >= case.joint, f"{case.joint:g} h")] if joints else []
+    met += [good for _, good, _ in limits]
+    cells = [page.judged(text, good, f"sought {sought}") for text, good, sought in limits]
     cells += [] if joints else [page.Cell("-")]
     return [case.name, *cells, f"{max(r.seconds for r in reports):.2g}", case.neper]
 

@@ -75,10 +75,10 @@ def chapter(
         page.picture(figures.curves(panels), caption) if panels else "",
         page.table([*header, "stepping"], rows, "Signed error against the closed form; curve: largest."),
     )
-    held = all(worst[name] <= limit for name, limit in TOLERANCE.items())
+    holds = all(worst[name] <= limit for name, limit in TOLERANCE.items())
     said = ", ".join(f"{words} {page.percent(worst[name])}" for name, words in WORDS.items())
     sentence = f"Couplet, {len(rows)} combinations of law, confinement and kinematics; largest errors: {said}."
-    made.judge("Closed forms", held, sentence)
+    made.judge("Closed forms", holds, sentence)
     return made
 
 

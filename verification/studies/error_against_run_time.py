@@ -145,16 +145,16 @@ def choice(points: list[Point], shipped: Point | None, doubt: float) -> str:
     said = [f"None of these settings comes within {page.percent(TARGETS[0])}."]
     if best is not None:
         same = shipped is not None and near(shipped, points, doubt) and shipped.error <= TARGETS[0]
-        what = "keep the accuracy as shipped" if same else f"choose {best.knob} {best.label}: {told(best)}"
+        what = "keep the accuracy as shipped" if same else f"choose {best.knob} {best.label}: {in_words(best)}"
         said = [f"To come within {page.percent(TARGETS[0])}, {what}."]
     if shipped is not None:
-        said.append(f"As shipped: {told(shipped)}.")
+        said.append(f"As shipped: {in_words(shipped)}.")
     if doubt:
         said.append(f"The reference itself is known to within {page.percent(doubt)}.")
     return " ".join(said)
 
 
-def told(point: Point) -> str:
+def in_words(point: Point) -> str:
     """Time, steps and error of a setting."""
     return f"{duration(point.seconds)}, {point.steps:,} steps, error {page.percent(point.error)}"
 

@@ -152,10 +152,12 @@ def glued(kind: str) -> dict[str, Any]:
     """Plates of another kinematics that are held altogether; the specimen between them is rigid. In real time: scaled
     masses would depend on the plates.
     """
-    held = {"kinematics": {"default": "rigid", "plates": kind}, "drive.steps": STEPS, "drive.displacement": "30 um"}
-    held |= {"solver.masses": "real", "solver.time_step": "5e-6 s", "solver.damping": 0}
+    settings = {"kinematics": {"default": "rigid", "plates": kind}, "drive.steps": STEPS, "drive.displacement": "30 um"}
+    settings |= {"solver.masses": "real", "solver.time_step": "5e-6 s", "solver.damping": 0}
     stuff = {"young_modulus": "210 GPa", "poisson_ratio": 0.3}
-    return held | {f"material.plates.{key}": value for key, value in stuff.items()} | {"specimen.mesh_size": "100 mm"}
+    return (
+        settings | {f"material.plates.{key}": value for key, value in stuff.items()} | {"specimen.mesh_size": "100 mm"}
+    )
 
 
 UNDAMPED = WALL | {"solver.damping": 0}

@@ -32,8 +32,8 @@ def chapter(tell: Callable[[str], None], chosen: Mapping[str, Wall] | None = Non
         tell(f"points of joints that bend: {name}")
         rows.append([name])
         for (rule, number), (off, word) in zip(POINTS, errors(wall), strict=True):
-            told = (word > 0.0) == (off > 0.0) and word != 0.0
-            good = told if abs(off) > OFF else True
+            warned = (word > 0.0) == (off > 0.0) and word != 0.0
+            good = warned if abs(off) > OFF else True
             missed += [] if good or word else [f"{name}, {number} points, {rule}"]
             wrong += not good and word != 0.0
             worst, count = max(worst, abs(off) if not word else 0.0), count + 1

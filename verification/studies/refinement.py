@@ -62,10 +62,10 @@ class Study:
         return references
 
     def _records(self, knob: str) -> Iterator[Record]:
-        given = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
+        exact_values = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
         for label, one in self.runs[knob].items():
             values = self.problem.measure(one) if one.ok else {}
-            exact = given(one) if one.ok and given is not None else {}
+            exact = exact_values(one) if one.ok and exact_values is not None else {}
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
                 kind = self.problem.kind if quantity in exact else reference.kind

@@ -41,14 +41,14 @@ def records(study: Study) -> list[Record]:
 
 def verdict(studies: Sequence[Study]) -> list[page.Verdict]:
     """Whether all problems with this knob give the same bits, and what more threads gain; nothing where none has it."""
-    told, worst = [], 0.0
+    sentences, worst = [], 0.0
     for study in studies:
         runs = list(study.runs.get(THREADS, {}).values())
         if runs:
             worst = max(worst, *apart(study.runs[THREADS]).values())
-            told.append(f"{study.problem.title} {runs[0].seconds / runs[-1].seconds:.2g}")
-    if not told:
+            sentences.append(f"{study.problem.title} {runs[0].seconds / runs[-1].seconds:.2g}")
+    if not sentences:
         return []
     same = "gives the same bits in every row" if worst == 0.0 else f"changes rows by up to {worst:.0e} of the largest"
-    sentence = f"Another number of threads {same}. Two are quicker than one by a factor of: {'; '.join(told)}."
+    sentence = f"Another number of threads {same}. Two are quicker than one by a factor of: {'; '.join(sentences)}."
     return [page.Verdict("Threads", "ok" if worst == 0.0 else "bad", sentence)]

@@ -39,8 +39,10 @@ APART = {"linear": 2e-4, "polynomial": 4e-4, "exponential": 8e-4}
 
 def by_points(name: str, paths: np.ndarray) -> np.ndarray:
     """(N, n, 3) Pa along n paths of slip and opening (N, n, 3) m, by the joint of the interface model."""
-    given = {key: getattr(JOINT, key) for key in ("kn", "ks", "fT", "c0", "tan0", "c_res", "tan_res", "G_I", "G_II")}
-    joint = Law(name, **given, G_II_slope=JOINT.G_II_slope, alpha=JOINT.alpha, beta=JOINT.beta)
+    properties = {
+        key: getattr(JOINT, key) for key in ("kn", "ks", "fT", "c0", "tan0", "c_res", "tan_res", "G_I", "G_II")
+    }
+    joint = Law(name, **properties, G_II_slope=JOINT.G_II_slope, alpha=JOINT.alpha, beta=JOINT.beta)
     normal, history, stresses = np.tile([0.0, 0.0, 1.0], (paths.shape[1], 1)), unharmed(joint, paths.shape[1]), []
     for places in paths:
         stress, history = traction(joint, history, normal, places)

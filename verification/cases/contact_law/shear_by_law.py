@@ -72,11 +72,11 @@ def softening(law: str) -> Findings:
 def limit(findings: Findings) -> None:
     """The least energy that the linear law accepts, and a compression beyond its brittle limit."""
     least = JOINT.c0**2 / (2 * JOINT.ks)
-    given = least_accepted("linear", "fracture_energy_mode_2", 580.0, fracture_energy_mode_2_slope=0.0)
+    accepted = least_accepted("linear", "fracture_energy_mode_2", 580.0, fracture_energy_mode_2_slope=0.0)
     compression, energy = 20e6, {"fracture_energy_mode_2": 1.01 * least, "fracture_energy_mode_2_slope": 0.0}
     top = JOINT.c0 + compression * JOINT.tan0
     beyond = slid("linear", compression, top / JOINT.ks, 2e-3, most=1e-6, **energy)
-    findings.check("least energy that is accepted", "N/m", given, least, "closed form", 1e-13, 1e-15,
+    findings.check("least energy that is accepted", "N/m", accepted, least, "closed form", 1e-13, 1e-15,
                 "bisection of a comparison: rounding")  # fmt: skip
     findings.check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
                 1e-14, "strength never grows: rounding")  # fmt: skip

@@ -59,14 +59,14 @@ def of_cells(findings: Findings) -> None:
     """Volumes of the cells of one unit, as in the list of sizes: of given sizes, of equal ones, and a spread."""
     low, high, whole = np.zeros((1, 3)), np.array([SIDES]), float(np.prod(SIDES))
     off = []
-    for given, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
-        volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=given), "units")[0])
+    for relative, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
+        volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=relative), "units")[0])
         off.append(np.abs(volume * sum(sizes) / (whole * np.array(sizes)) - 1.0).max())
     findings.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
                 "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)  # fmt: skip
-    asked = CellRequest(total=CELLS, spread=VARIATION)
-    volume = volumes(fill_with_cells(low, high, asked, "units")[0])
-    wished = target_sizes(asked, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
+    request = CellRequest(total=CELLS, spread=VARIATION)
+    volume = volumes(fill_with_cells(low, high, request, "units")[0])
+    wished = target_sizes(request, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
     findings.check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
                 "cells fill the unit: rounding")  # fmt: skip

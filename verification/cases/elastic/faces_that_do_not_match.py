@@ -69,12 +69,12 @@ def run() -> Findings:
     values: list[float] = []
     matching: list[float] = []
     for n in COUNTS:
-        for other, kept in ((3 * n // 2, values), (n, matching)):
+        for other, sequence in ((3 * n // 2, values), (n, matching)):
             value, result = beam(n, other)
             findings.note(f"{n} and {other} cells over the height", result)
-            kept.append(value)
-    limits = [kept[-1] + (kept[-1] - kept[-2]) / 3 for kept in (values, matching)]
-    errors = [np.abs(np.array(kept) / limits[1] - 1) for kept in (values, matching)]
+            sequence.append(value)
+    limits = [sequence[-1] + (sequence[-1] - sequence[-2]) / 3 for sequence in (values, matching)]
+    errors = [np.abs(np.array(sequence) / limits[1] - 1) for sequence in (values, matching)]
     findings.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
                 0.05, 0.02, "8:12 and 16:24 cells over the height against the limit of faces that match; tets of "
                 "constant strain are of second order, and points in the common refinement take nothing "

@@ -116,13 +116,13 @@ def without_rigid_motion(place: Array, error: Array) -> Array:
 def hold_three_nodes(conditions: Conditions, layout: Layout) -> None:
     """Six dofs of three corners of the first block, in place of the scene's support."""
     assert layout.mesh is not None
-    held = np.zeros_like(conditions.prescribed["tets"])
+    supports = np.zeros_like(conditions.prescribed["tets"])
     for corner, axes in (([0, 0, 0], [0, 1, 2]), ([0, 1, 0], [0, 2]), ([0, 0, 1], [0])):
         at = PLANES[0][0], *(SIZE[1:] * corner[1:])
         gap = np.linalg.norm(layout.mesh.nodes - at, axis=1)
-        held[int(np.argmin(gap)), axes] = True
-    conditions.prescribed["tets"] = held
-    conditions.supported["tets"] = held.copy()
+        supports[int(np.argmin(gap)), axes] = True
+    conditions.prescribed["tets"] = supports
+    conditions.supported["tets"] = supports.copy()
 
 
 def explicit(findings: Findings, specimen: Specimen, mesh: TetMesh) -> float:

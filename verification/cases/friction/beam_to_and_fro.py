@@ -36,10 +36,10 @@ def run() -> Findings:
     for accuracy in ACCURACIES:
         result = findings.note(f"to {100 * accuracy:g} %", result_of(SCENE, {"limit.accuracy": accuracy}))
         first, second = result.summary["cycles"]
-        asked = f"to {100 * accuracy:g} %"
+        bound = f"to {100 * accuracy:g} %"
         for name, cycle, wanted in (("first", first, 3.0 * once), ("second", second, 4.0 * once)):
             findings.check(
-                f"dissipated in the {name} cycle, {asked}",
+                f"dissipated in the {name} cycle, {bound}",
                 "J",
                 cycle["dissipated_j"],
                 wanted,
@@ -48,14 +48,14 @@ def run() -> Findings:
                 6e-4,
                 WHY,
             )
-        findings.check(f"way of the beam, {asked}", "m", second["farthest_m"] - second["farthest_back_m"],
+        findings.check(f"way of the beam, {bound}", "m", second["farthest_m"] - second["farthest_back_m"],
                     2.0 * (FORCE - SLIDES) / FOOT, "closed form", 1e-3, 1e-4, WHY)  # fmt: skip
-        findings.at_most(f"work that damping took, {asked}", "1", result.summary["damping_over_external"], accuracy,
+        findings.at_most(f"work that damping took, {bound}", "1", result.summary["damping_over_external"], accuracy,
                       "rests follow on each other slowly")  # fmt: skip
     rows = result.history.rows
     reading = 1e6 * (rows["beam"] - rows["beam"][int(np.flatnonzero(rows["load_factor"])[0]) - 1])
     turns = np.array([0.0, 2.0 * SLIDES, FORCE])
-    way = 1e6 * np.array([0.0, SLIDES / FOOT, (FORCE - SLIDES) / FOOT])
+    travel = 1e6 * np.array([0.0, SLIDES / FOOT, (FORCE - SLIDES) / FOOT])
     back = 1e6 * np.array([0.0, 2.0 * SLIDES / FOOT, 2.0 * (FORCE - SLIDES) / FOOT])
     half = np.array([0.0, 4.0 * SLIDES, 2.0 * FORCE])
     findings.plot(
@@ -63,9 +63,9 @@ def run() -> Findings:
         "beam (um)",
         "force (N)",
         Line("masonry", reading, rows["load_factor"], "points"),
-        Line("first loading", way, turns, "dashed"),
-        Line("half loop down", way[-1] - back, FORCE - half, "dashed"),
-        Line("half loop up", way[-1] - back[-1] + back, half - FORCE, "dashed"),
+        Line("first loading", travel, turns, "dashed"),
+        Line("half loop down", travel[-1] - back, FORCE - half, "dashed"),
+        Line("half loop up", travel[-1] - back[-1] + back, half - FORCE, "dashed"),
     )
     return findings
 

@@ -38,10 +38,10 @@ def boxes(start: float) -> list[dict[str, object]]:
     ]
 
 
-def supports(*held: str) -> list[dict[str, object]]:
+def supports(*dofs: str) -> list[dict[str, object]]:
     """Both slabs held, and some dofs of the block."""
     tables: list[dict[str, object]] = [{"on": name, "fix": "all"} for name in ("slab", "slab beyond")]
-    return tables + ([{"on": "block", "fix": list(held)}] if held else [])
+    return tables + ([{"on": "block", "fix": list(dofs)}] if dofs else [])
 
 
 def run() -> Findings:

@@ -82,8 +82,8 @@ def spinning(findings: Findings) -> None:
         "solver.rows": 4000,
     }
     rows = findings.note("spinning", result_of(SCENE, knobs)).history.rows
-    held = rows["kinetic"] + rows["elastic_blocks"]
-    drift = float(np.ptp(held[1:]) / held[1])
+    energy = rows["kinetic"] + rows["elastic_blocks"]
+    drift = float(np.ptp(energy[1:]) / energy[1])
     findings.check("energy of its motion and of its stress", "1", drift, 0.0, "closed form", 4e-7, 5e-8,
                    "the step is of second order in the frequency of the swing", scale=1.0)  # fmt: skip
     findings.at_most(

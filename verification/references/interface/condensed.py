@@ -16,13 +16,13 @@ AT_ONCE = 64
 
 @dataclass(frozen=True)
 class Condensed:
-    """S q + sum of joint forces = dead + lambda * push over the free dofs of the joints, `kept` (n,).
+    """S q + sum of joint forces = dead + lambda * push over the free dofs of the joints, `boundary` (n,).
 
     stiffness (n, n) N/m   dead, push (n,) N   jump (3 m, n), jump_driven (3 m,): jumps are jump q + lambda jump_driven
     """
 
     model: Model
-    kept: Array
+    boundary: Array
     inner: Array
     stiffness: Array
     dead: Array
@@ -32,10 +32,10 @@ class Condensed:
     factor: SuperLU | None
 
     def all_dofs(self, q: Array, factor: float, dead: float) -> Array:
-        """(N,) m, from the kept dofs, lambda and the share of the dead load."""
+        """(N,) m, from the boundary dofs, lambda and the share of the dead load."""
         m = self.model
         u = factor * m.driven
-        u[self.kept] = q
+        u[self.boundary] = q
         if self.factor is not None:
             u[self.inner] = self.factor.solve((dead * m.dead + factor * m.load - m.stiffness @ u)[self.inner])
         return u
@@ -46,7 +46,7 @@ class Condensed:
         adjoint = np.zeros(len(weights))
         if self.factor is not None:
             adjoint[self.inner] = self.factor.solve(weights[self.inner])
-        w = weights[self.kept] - (k @ adjoint)[self.kept]
+        w = weights[self.boundary] - (k @ adjoint)[self.boundary]
         by_lambda = weights @ m.driven + adjoint @ (m.load - k @ m.driven)
         return w, float(by_lambda), float(adjoint @ m.dead)
 
@@ -57,11 +57,11 @@ def condense(model: Model) -> Condensed:
     jumps = all_jumps(model.joints)
     touched = np.zeros(len(model.held), dtype=bool)
     touched[jumps.indices] = True
-    kept, inner = np.flatnonzero(touched & ~model.held), np.flatnonzero(~touched & ~model.held)
+    boundary, inner = np.flatnonzero(touched & ~model.held), np.flatnonzero(~touched & ~model.held)
     k = model.stiffness
-    stiffness = k[kept][:, kept].toarray()
+    stiffness = k[boundary][:, boundary].toarray()
     loads = np.stack([model.dead, model.load - k @ model.driven])
-    condensed, factor = loads[:, kept].copy(), None
+    condensed, factor = loads[:, boundary].copy(), None
     if len(inner):
         factor = splu(
             k[inner][:, inner].tocsc(),
@@ -69,12 +69,20 @@ def condense(model: Model) -> Condensed:
             diag_pivot_thresh=0.0,
             options={"SymmetricMode": True},
         )
-        between = k[inner][:, kept].tocsc()
-        for first in range(0, len(kept), AT_ONCE):
+        between = k[inner][:, boundary].tocsc()
+        for first in range(0, len(boundary), AT_ONCE):
             columns = slice(first, first + AT_ONCE)
             stiffness[:, columns] -= between.T @ factor.solve(between[:, columns].toarray())
         condensed -= (between.T @ factor.solve(loads[:, inner].T)).T
     stiffness = 0.5 * (stiffness + stiffness.T)
     return Condensed(
-        model, kept, inner, stiffness, condensed[0], condensed[1], jumps[:, kept].tocsc(), jumps @ model.driven, factor
+        model,
+        boundary,
+        inner,
+        stiffness,
+        condensed[0],
+        condensed[1],
+        jumps[:, boundary].tocsc(),
+        jumps @ model.driven,
+        factor,
     )

@@ -25,7 +25,7 @@ class NotConverged(Exception):
 
 @dataclass(frozen=True)
 class State:
-    """An equilibrium: kept dofs q, lambda, share of the dead load, and the history of each joint."""
+    """An equilibrium: boundary dofs q, lambda, share of the dead load, and the history of each joint."""
 
     q: Array
     factor: float
@@ -41,7 +41,7 @@ class Path:
 
     def __init__(self, model: Model, control: Array | None = None) -> None:
         self.model, self.system = model, condense(model)
-        n = len(self.system.kept)
+        n = len(self.system.boundary)
         self.state = State(np.zeros(n), 0.0, 0.0, tuple(unharmed(j.law, len(j.weight)) for j in model.joints))
         self.earlier: tuple[float, State] | None = None
         self.reached = 0.0
@@ -67,7 +67,7 @@ class Path:
         """
         weights, area = np.zeros(len(self.model.held)), 0.0
         u = self.system.model.driven * self.state.factor
-        u[self.system.kept] = self.state.q
+        u[self.system.boundary] = self.state.q
         openings = [np.einsum("ni,ni->n", (j.jump @ u).reshape(-1, 3), j.normal) for j in self.model.joints]
         used = [e / j.law.opening_at_peak for e, j in zip(openings, self.model.joints, strict=True)]
         most = min(1.0, max(float(e.max(initial=0.0)) for e in used))
