@@ -15,11 +15,12 @@ from masonry.laboratory.remarks.catalogue import doubts_of_run, remarks_of_check
 from masonry.laboratory.remarks.checks.unit_weights import unit_weights
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.result import Result
-from masonry.laboratory.settling import AT_REST, settled
+from masonry.laboratory.settling import settled
 from masonry.laboratory.summary.provenance import provenance_of
 from masonry.laboratory.summary.summary import add_tilt, summarise
 from masonry.laws.dispatch import word_of
 from masonry.results.joint_resultants import resultants
+from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import Scene, to_toml
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
@@ -126,8 +127,8 @@ def settling_text(assembly: Assembly) -> str:
     if assembly.scene.settle is not None:
         return f"{assembly.plan.settle} steps, as the scene says"
     return (
-        f"until less than {AT_REST:g} of the dead loads is unbalanced and nothing moves: how many steps this takes is "
-        f"found as the run begins; {assembly.plan.settle} are counted here"
+        f"until less than {SETTLED.force:g} of the dead loads is unbalanced and nothing moves: how many steps this "
+        f"takes is found as the run begins; {assembly.plan.settle} are counted here"
     )
 
 

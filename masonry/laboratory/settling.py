@@ -9,20 +9,16 @@ from masonry.assembly.schedule import FEWEST, plan_of
 from masonry.configuration import model_state
 from masonry.errors import Stopped
 from masonry.rows.history import History
-from masonry.rows.rest_criterion import LONE
+from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import Scene
 from masonry.scene.tables.loading import Settle
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome
 
-AT_REST, STILL = 1e-4, 1e-8
-"""Unbalanced force over the dead loads, and kinetic over stored energy, below which the dead loads have settled. A
-swing that is left has about the root of the second as its share of the displacements. What slides or falls slowly is
-told from it by its energy: it gathers way, while the force that drives it may be small."""
 LONGEST = 128_000
 """Steps of the last trial."""
-ROWS, LAST = 50, 5
-"""Looks at a trial; the last ones must all find it at rest, as the forces of a swing vanish at its middle."""
+ROWS = 50
+"""Looks at a trial."""
 
 Progress = Callable[[int, int, str], None]
 
@@ -69,25 +65,26 @@ class Left(NamedTuple):
 
     @property
     def sum_rests(self) -> bool:
-        return self.unbalanced < AT_REST and self.still_moving < STILL
+        return SETTLED.holds(self.unbalanced, self.still_moving)
 
     @property
     def all_rest(self) -> bool:
         """Whether all together are at rest, and each block."""
-        return self.sum_rests and self.of_a_block < LONE * AT_REST and self.energy_of_a_block < LONE**2 * STILL
+        return self.sum_rests and SETTLED.of_block.holds(self.of_a_block, self.energy_of_a_block)
 
     @property
     def text(self) -> str:
         """What is left, and how much may be."""
         if self.sum_rests:
+            block = SETTLED.of_block
             return (
                 f"of what block {self.block:.0f} bears {self.of_a_block:.2g} is still unbalanced (should be under "
-                f"{LONE * AT_REST:g}), and its kinetic energy is {self.energy_of_a_block:.2g} of what it stores "
-                f"(should be under {LONE**2 * STILL:g})"
+                f"{block.force:g}), and its kinetic energy is {self.energy_of_a_block:.2g} of what it stores "
+                f"(should be under {block.energy:g})"
             )
         return (
-            f"{self.unbalanced:.2g} of them are still unbalanced (should be under {AT_REST:g}), and the kinetic energy "
-            f"is {self.still_moving:.2g} of the stored (should be under {STILL:g})"
+            f"{self.unbalanced:.2g} of them are still unbalanced (should be under {SETTLED.force:g}), and the kinetic "
+            f"energy is {self.still_moving:.2g} of the stored (should be under {SETTLED.energy:g})"
         )
 
 
@@ -115,5 +112,5 @@ def _trial(
         loop.run(look, None)
     except Stopped as stop:
         return str(stop), Left()
-    most = {name: max(loop.observed[name][-LAST:]) for name in Left._fields}
+    most = {name: max(loop.observed[name][-SETTLED.looks :]) for name in Left._fields}
     return "", Left(**most | {"block": loop.observed["block"][-1]})

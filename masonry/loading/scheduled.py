@@ -14,13 +14,10 @@ from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.events import Event
 from masonry.monitors.unrest import left_of_motion
-from masonry.rows.rest_criterion import LONE
+from masonry.rows.rest_criterion import ENDED
 
 LONGEST_CHUNK = 100
 """Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
-STILL, STILL_ROWS = 1e-8, 20
-"""All is at rest when the kinetic energy was below this share of its largest in so many rows, and that of each block
-(monitors/unrest.py): what turns round in the air is still for less than a row."""
 
 
 @dataclass(frozen=True)
@@ -154,13 +151,14 @@ class ScheduledLoading(Loading):
             self.cracks.see(terms["elastic_blocks"] + terms["elastic_contacts"])
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
-            self.still = self.still + 1 if terms["kinetic"] <= STILL * self.most and self.each_rests() else 0
-            if self.done >= self.program.rest_from and self.still >= STILL_ROWS and self.most > 0.0:
+            rests = terms["kinetic"] <= ENDED.energy * self.most and self.each_rests()
+            self.still = self.still + 1 if rests else 0
+            if self.done >= self.program.rest_from and self.still >= ENDED.looks and self.most > 0.0:
                 self.last = self.row_due()
 
     def each_rests(self) -> bool:
         """Whether each block is at rest, where the sum over all is."""
-        return bool((left_of_motion(self.model, self.most) <= LONE**2 * STILL).all())
+        return bool((left_of_motion(self.model, self.most) <= ENDED.of_block.energy).all())
 
     def load_factors(self) -> np.ndarray:
         """(H,) of the loads that vary, now."""

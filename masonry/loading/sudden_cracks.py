@@ -11,6 +11,7 @@ from masonry.kinematics.turning import Turning
 from masonry.loading.moves.impulses import strike, velocities_of
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Events
+from masonry.rows.rest_criterion import BRAKED
 from masonry.runtime.state import State, attributes, load_attributes
 
 JUMP, LEAST = 10.0, 1e-5
@@ -21,9 +22,8 @@ may swing otherwise."""
 STEPS, DECAY, LITTLE = 10, 0.7, 0.1
 """While the drive is held: steps from one braking to the next, the share of the velocities that one leaves, and the
 most local damping, as much of it would make a crack creep."""
-STILL, BRAKINGS, MOST = 1e-7, 20, 30_000
-"""The drive goes on when the kinetic energy has been below this share of the stored energy for so many brakings, as
-a crack may creep on before it leaps. It is held for so many steps in all: what falls over never comes to rest."""
+MOST = 30_000
+"""Steps for which the drive is held in all: what falls over never comes to rest."""
 REMEMBERED = ("usual", "pause", "stored", "most", "learning", "still", "waited")
 
 
@@ -54,9 +54,9 @@ class CrackWatch:
         if self.pause:
             brake(self.model, before, DECAY)
             self.events.sudden(step)
-            self.still = self.still + 1 if kinetic <= STILL * self.stored else 0
+            self.still = self.still + 1 if kinetic <= BRAKED.energy * self.stored else 0
             self.waited += STEPS
-            over = self.still >= BRAKINGS or self.waited >= MOST
+            over = self.still >= BRAKED.looks or self.waited >= MOST
             self.hold(0 if over else self.pause + STEPS)
             self.learning = LOOKS
         elif self.leaps(kinetic, expected):

@@ -8,11 +8,9 @@ from masonry.configuration.energy import present
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.unrest import EachBlock
-from masonry.rows.rest_criterion import still_moving
+from masonry.rows.rest_criterion import DOUBTED, still_moving
 from masonry.runtime.state import State, attributes
 
-SHARE = 1e-3
-"""Of the dead loads: what may be unbalanced where blocks are looked at one by one, and by its square the energy."""
 UNASKED = -1.0
 """What is noted of single blocks where the sums are farther from rest."""
 
@@ -31,7 +29,7 @@ class Settling(Observer):
         if view.settling:
             self.unbalanced, self.still_moving = unbalanced(model, view.before), still_moving(view.terms)
             self.of_a_block = self.energy_of_a_block = self.block = UNASKED
-            if self.unbalanced <= SHARE and self.still_moving <= SHARE**2:
+            if DOUBTED.holds(self.unbalanced, self.still_moving):
                 self.look_at_each(view.before)
         return attributes(self, self.REMEMBERED)
 
@@ -39,7 +37,7 @@ class Settling(Observer):
         """Where the sums are near to rest."""
         unrest = self.each.look(before)
         self.of_a_block, self.energy_of_a_block = float(unrest.force.max()), float(unrest.energy.max())
-        self.block = float(unrest.worst(SHARE))
+        self.block = float(unrest.worst(DOUBTED))
 
     def state(self) -> State:
         return {**super().state(), "most": self.each.most}

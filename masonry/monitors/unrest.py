@@ -14,7 +14,7 @@ from masonry.configuration.joint_forces import forces_on_blocks
 from masonry.kinematics.turning import Turning
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA
-from masonry.rows.rest_criterion import LONE
+from masonry.rows.rest_criterion import RestCriterion
 
 MOST = 1e12
 """What shares of nothing are taken for."""
@@ -28,13 +28,13 @@ class Unrest(NamedTuple):
     force: np.ndarray
     energy: np.ndarray
 
-    def alone(self, share: float, energy: float) -> np.ndarray:
-        """(B,) which blocks are not at rest, where the sums over all blocks may be so much at rest."""
-        return (self.force > LONE * share) | (self.energy > LONE**2 * energy)
+    def alone(self, rest: RestCriterion) -> np.ndarray:
+        """(B,) which blocks are not at rest, where all together may be."""
+        return (self.force > rest.of_block.force) | (self.energy > rest.of_block.energy)
 
-    def worst(self, share: float) -> int:
-        """The block that is farthest from rest, a swing of so much of what it bears."""
-        return int(np.maximum(self.force / (LONE * share), self.energy / (LONE * share) ** 2).argmax())
+    def worst(self, rest: RestCriterion) -> int:
+        """The block that is farthest from rest: its energy counts as that of a swing of so much force."""
+        return int(np.maximum(self.force / rest.of_block.force, self.energy / rest.of_block.force**2).argmax())
 
 
 class EachBlock:

@@ -13,7 +13,7 @@ from masonry.judgement.sentence import trust
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.travels import Limits, Travels
 from masonry.monitors.unrest import EachBlock
-from masonry.rows.rest_criterion import LONE
+from masonry.rows.rest_criterion import LONE, RestCriterion
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 TILT = 'pattern = "tilt"\nabout = "y"\naccuracy = "1 %"'
@@ -146,14 +146,14 @@ def test_a_gauge_has_to_stand_still_where_all_blocks_rest():
     """Beside the farthest that it has moved: by a hundredth of that it moves, by a ten-thousandth it does not."""
     gauge = '[[gauge]]\nname = "top"\nat = "small.z+"\ndirection = "x"\n'
     assembly = assemble(pair(0.02, more=f"[limit]\n{TILT}\n{gauge}"))
-    travels = Travels(assembly.model, Limits(1e-8, 1e-3, 0.005, 10.0), assembly.recording.gauges)
+    travels = Travels(assembly.model, Limits(RestCriterion(1e-4, 1e-8), 1e-3, 0.005, 10.0), assembly.recording.gauges)
     place, still = assembly.model.bodies.rigid.q, energy.velocities(assembly.model)
     place[2, 0] = 1e-3
-    assert not travels.moves_alone(still, 1e-4, calm=0)
+    assert not travels.moves_alone(still, calm=0)
     place[2, 0] += 1e-7
-    assert not travels.moves_alone(still, 1e-4, calm=1)
+    assert not travels.moves_alone(still, calm=1)
     place[2, 0] += 1e-5
-    assert travels.moves_alone(still, 1e-4, calm=2)
+    assert travels.moves_alone(still, calm=2)
 
 
 def test_a_block_is_measured_by_what_it_bears_and_by_what_its_contacts_store_under_that():
@@ -165,10 +165,10 @@ def test_a_block_is_measured_by_what_it_bears_and_by_what_its_contacts_store_und
     assert unrest.force[2] == pytest.approx(mass[2, 2] * speed / model.dt / weight)
     assert unrest.energy[2] == pytest.approx(mass[2, 2] * speed**2 * 30e9 * 0.02**2 / weight**2)
     assert unrest.force[:2].tolist() == unrest.energy[:2].tolist() == [0.0, 0.0]
-    share = float(unrest.force[2]) / LONE
-    assert unrest.alone(0.99 * share, 1.0)[2] and not unrest.alone(1.01 * share, 1.0).any()
-    share = float(unrest.energy[2]) / LONE**2
-    assert unrest.alone(1.0, 0.99 * share)[2] and not unrest.alone(1.0, 1.01 * share).any()
+    force, moving = float(unrest.force[2]) / LONE, float(unrest.energy[2]) / LONE**2
+    for share, moves in ((0.99, True), (1.01, False)):
+        assert unrest.alone(RestCriterion(share * force, 1.0))[2] == moves
+        assert unrest.alone(RestCriterion(1.0, share * moving))[2] == moves
     body.v[2, 2], body.v[2, 4] = 0.0, speed
     about = mass[2, 4] * speed / model.dt / (0.02**2 * 0.08) ** (1 / 3)
     assert EachBlock(model).look(still).force[2] == pytest.approx(about / weight), "what turns about its middle moves"

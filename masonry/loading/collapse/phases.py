@@ -113,7 +113,7 @@ class WaitingPhase(Phase):
         trials.look()
         alone = self.is_calm(before)
         travels, watch = trials.travels, trials.watch
-        if self.calm >= self.settings.looks:
+        if self.calm >= self.trials.rest_level.looks:
             trials.bear()
             return ShowingPhase(trials)
         if travels.travelled > travels.away or travels.fallen():
@@ -127,11 +127,11 @@ class WaitingPhase(Phase):
 
     def is_calm(self, before: list[np.ndarray]) -> bool:
         """Count whether all rests; returns whether the sum over all does, and a block or a gauge does not."""
-        model, settings, now = self.trials.model, self.settings, energy.observe(self.trials.model)
+        model, now = self.trials.model, energy.observe(self.trials.model)
         kinetic, stored = abs(energy.kinetic(model, before)), now.elastic_blocks + now.elastic_contacts
-        loose = settings.at_rest * self.trials.path.accuracy
-        rests = unbalanced(model, before) <= loose and kinetic <= settings.still * stored
-        alone = rests and self.trials.travels.moves_alone(before, loose, self.calm)
+        level = self.trials.rest_level
+        rests = unbalanced(model, before) <= level.force and kinetic <= level.energy * stored
+        alone = rests and self.trials.travels.moves_alone(before, self.calm)
         self.calm = self.calm + 1 if rests and not alone else 0
         return alone
 

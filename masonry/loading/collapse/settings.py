@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from masonry.rows.rest_criterion import BORNE, RestCriterion
+
 
 @dataclass(frozen=True)
 class GrowingSettings:
@@ -15,9 +17,8 @@ class GrowingSettings:
                and least change of its pace from one increment to the next; `slowest`, times by which one takes longer
     look       steps between two looks
     window     looks of which the motion is averaged, at least
-    at_rest    force that accelerates over all loads, over the accuracy, and `still`, kinetic over stored energy, below
-               which the specimen rests, in `looks` looks on end; each block as well (monitors/unrest.py). `reading`,
-               what a gauge may move meanwhile over the farthest that it did
+    rest       below which the specimen rests, and each block as well (monitors/unrest.py). `reading`, what a gauge may
+               move meanwhile over the farthest that it did
     patient    windows after which a trial that does not rest is let go; then `little`, the most local damping; `left`,
                the share of the swings that a look leaves; `memory`, looks over which the drift is averaged. Where no
                local damping was left, blocks slid that stood in the mechanism; where 0.2 of the swings were left, the
@@ -42,10 +43,8 @@ class GrowingSettings:
     slowest: float = 64.0
     look: int = 50
     window: int = 10
-    at_rest: float = 1e-2
-    still: float = 1e-8
+    rest: RestCriterion = BORNE
     reading: float = 1e-3
-    looks: int = 4
     patient: float = 2.0
     little: float = 0.1
     left: float = 0.5

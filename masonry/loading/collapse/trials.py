@@ -16,6 +16,7 @@ from masonry.loading.moves.travels import Limits, Travels
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
+from masonry.rows.rest_criterion import RestCriterion
 from masonry.runtime.state import Remembering, Remembers, attributes
 
 
@@ -92,11 +93,17 @@ class Trials(Remembering):
         settings: GrowingSettings,
     ) -> None:
         self.model, self.load, self.path, self.settling, self.settings = model, load, load.path, settling, settings
-        self.travels = Travels(model, Limits(settings.still, settings.reading, settings.away, settings.usual), gauges)
-        least = settings.at_rest * self.path.accuracy * load.loads.rest_over_each()
+        limits = Limits(self.rest_level, settings.reading, settings.away, settings.usual)
+        self.travels = Travels(model, limits, gauges)
+        least = self.rest_level.force * load.loads.rest_over_each()
         self.enclosing, self.pace = Enclosing(self.path, least, settings), Pace(self.path.accuracy, settings)
         self.rest, self.watch, self.branch, self.tally = LastRest(model), FallWatch(model, settings), branch, tally
         self.freely = model.large is not None
+
+    @property
+    def rest_level(self) -> RestCriterion:
+        """Below which the specimen rests, and the factor is borne."""
+        return self.settings.rest.with_share(self.path.accuracy)
 
     @property
     def window(self) -> int:

@@ -199,7 +199,7 @@ class AdaptiveLoading(Loading):
     def wait(self, row: DriveRow) -> None:
         """The drive is held: let it go where the specimen has come to rest."""
         stored = max(row.stored, PARTED * self.increments.most_stored)
-        if self.pause.look(abs(row.kinetic) <= self.settings.at_rest * stored):
+        if self.pause.look(abs(row.kinetic) <= self.settings.rest.energy * stored):
             self.speed.target = min(self.speed.target, 0.5 * self.path.left / self.speed.duration)
             self.increments.place, self.increments.force = self.path.place, row.force
             self.guide.settle(self.path.place)
@@ -219,7 +219,7 @@ class AdaptiveLoading(Loading):
             if self.model.dry:
                 factor = min(factor, self.dry.factor(rise / last.most_force, self.bounds.unit))
         follows = approach.elastic or self.guide.trust > settings.unexpected
-        follows = follows or abs(row.kinetic) <= settings.at_rest * row.stored
+        follows = follows or abs(row.kinetic) <= settings.rest.energy * row.stored
         self.pause.follow(follows, waits=self.speed.now * self.speed.steps * self.model.dt < self.path.left)
         still = abs(row.kinetic) <= settings.still * row.stored
         self.speed.steps = settings.few_steps if still else settings.steps

@@ -32,7 +32,7 @@ class DrivePause(Remembering):
         self.cracks.sudden(self.step)
         self.calm = self.calm + 1 if at_rest else 0
         self.increments += 1
-        if self.calm < self.settings.looks and self.increments <= self.settings.longest_hold:
+        if self.calm < self.settings.rest.looks and self.increments <= self.settings.longest_hold:
             return False
         self.increments = 0
         self.cracks.calm(self.step)

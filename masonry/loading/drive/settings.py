@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from masonry.rows.rest_criterion import FOLLOWED, RestCriterion
+
 
 @dataclass(frozen=True)
 class AdaptiveSettings:
@@ -32,8 +34,7 @@ class AdaptiveSettings:
 
     Sudden cracks:
     unexpected         share of the kinetic energy that was not expected, from which on the drive is held
-    at_rest, looks     it goes on when the kinetic energy was below this share of the stored energy in so many looks,
-                       one an increment
+    rest               it goes on when the specimen rests, one look an increment
     longest_hold       or after so many increments
 
     fine, blunt        accuracies coarser than `fine` are taken for (accuracy / fine) ** blunt of it, as sudden cracks
@@ -68,8 +69,7 @@ class AdaptiveSettings:
     ends: float = 0.4
     drag: float = 0.5
     unexpected: float = 0.5
-    at_rest: float = 1e-7
-    looks: int = 4
+    rest: RestCriterion = FOLLOWED
     longest_hold: int = 600
     fine: float = 0.01
     blunt: float = 0.4

@@ -9,6 +9,7 @@ from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
 from masonry.monitors.unrest import EachBlock
+from masonry.rows.rest_criterion import RestCriterion
 from masonry.runtime.state import State, attributes, load_attributes
 
 REMEMBERED = ("most", "travelled")
@@ -18,11 +19,11 @@ SLIDES, TWICE = 0.1, 2.0
 
 
 class Limits(NamedTuple):
-    """What is a rest, and what a fall (GrowingSettings of collapse/settings.py): kinetic over stored energy, and
+    """What is a rest, and what a fall (GrowingSettings of collapse/settings.py): the level of a rest, and
     what a gauge may still move over the farthest that it did; motion of a fall over the size of a block, and over the
     most that brought it to rest."""
 
-    still: float
+    rest: RestCriterion
     reading: float
     away: float
     usual: float
@@ -79,10 +80,10 @@ class Travels:
         moved = blocks_reach(self.model, self.moved())
         return np.column_stack([moved[:, 0], moved[:, 1] * self.each.size / self.size])
 
-    def moves_alone(self, before: list[np.ndarray], force: float, calm: int) -> bool:
+    def moves_alone(self, before: list[np.ndarray], calm: int) -> bool:
         """Whether a block, or a gauge, still moves where the sum over all is at rest for the `calm`-th time on end.
-        force: share that may be unbalanced; before: energy.velocities a step earlier"""
-        alone = self.each.look(before).alone(force, self.limits.still)
+        before: energy.velocities a step earlier"""
+        alone = self.each.look(before).alone(self.limits.rest)
         self.alone |= alone
         readings = np.array([gauge.read(self.model) for gauge in self.gauges])
         self.range = np.array([np.minimum(self.range[0], readings), np.maximum(self.range[1], readings)])

@@ -5,11 +5,11 @@ The limits are those of the settling, for the same reasons.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.settling import KINETIC, rests
+from masonry.judgement.doubts.motion.settling import rests
 from masonry.judgement.doubts.motion.settling_block import KINETIC_BLOCK, UNBALANCED_BLOCK
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
-from masonry.rows.rest_criterion import LONE, still_moving
+from masonry.rows.rest_criterion import DOUBTED, still_moving
 
 TERMS = ("kinetic", "elastic_blocks", "elastic_contacts", "external_work")
 
@@ -32,14 +32,14 @@ def kinetic(evidence: Evidence) -> float | None:
 MOTION_AT_END = Criterion(
     name="motion_at_end",
     measure=kinetic,
-    limit=KINETIC,
+    limit=DOUBTED.energy,
     sentence="the specimen still moves at the end: its kinetic energy is {value:.2g} of the stored energy",
     asked_of=is_asked,
 )
 BLOCK_AT_END = Criterion(
     name="block_at_end",
     measure=lambda evidence: evidence.number("moving_at_end.kinetic"),
-    limit=LONE**2 * KINETIC,
+    limit=DOUBTED.of_block.energy,
     sentence=lambda evidence, value: (
         f"{block_at(evidence.table('moving_at_end'))} still moves at the end: its kinetic energy is {value:.2g} of "
         "what it stores"

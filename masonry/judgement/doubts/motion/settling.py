@@ -8,8 +8,8 @@ large is above it.
 
 from masonry.judgement.doubt import Criterion
 from masonry.judgement.evidence import Evidence
+from masonry.rows.rest_criterion import DOUBTED
 
-UNBALANCED, KINETIC = 1e-3, 1e-6
 ADVICE = "raise settle.steps, or leave [settle] out; if that does not help, {} cannot stand under them"
 
 
@@ -21,7 +21,7 @@ def is_asked(evidence: Evidence) -> bool:
 UNBALANCED_AFTER_SETTLING = Criterion(
     name="unbalanced_after_settling",
     measure=lambda evidence: evidence.number("unbalanced_after_settling"),
-    limit=UNBALANCED,
+    limit=DOUBTED.force,
     sentence="the dead loads had not come to rest: {value:.2g} of them is unbalanced",
     advice=ADVICE.format("the specimen"),
     asked_of=is_asked,
@@ -29,7 +29,7 @@ UNBALANCED_AFTER_SETTLING = Criterion(
 KINETIC_AFTER_SETTLING = Criterion(
     name="kinetic_after_settling",
     measure=lambda evidence: evidence.number("kinetic_after_settling"),
-    limit=KINETIC,
+    limit=DOUBTED.energy,
     sentence="the dead loads had not come to rest: the kinetic energy is {value:.2g} of the stored energy",
     advice=ADVICE.format("the specimen"),
     asked_of=is_asked,

@@ -6,10 +6,10 @@ the sum ten times, and its energy the square of that.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.settling import ADVICE, KINETIC, UNBALANCED, is_asked, rests
+from masonry.judgement.doubts.motion.settling import ADVICE, is_asked, rests
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
-from masonry.rows.rest_criterion import LONE
+from masonry.rows.rest_criterion import DOUBTED
 
 
 def is_block_asked(evidence: Evidence) -> bool:
@@ -25,7 +25,7 @@ def beginning(evidence: Evidence) -> str:
 UNBALANCED_BLOCK = Criterion(
     name="unbalanced_block",
     measure=lambda evidence: evidence.number("unrest_after_settling.unbalanced"),
-    limit=LONE * UNBALANCED,
+    limit=DOUBTED.of_block.force,
     sentence=lambda evidence, value: f"{beginning(evidence)}: {value:.2g} of what it bears is unbalanced",
     advice=ADVICE.format("it"),
     asked_of=is_block_asked,
@@ -33,7 +33,7 @@ UNBALANCED_BLOCK = Criterion(
 KINETIC_BLOCK = Criterion(
     name="kinetic_block",
     measure=lambda evidence: evidence.number("unrest_after_settling.kinetic"),
-    limit=LONE**2 * KINETIC,
+    limit=DOUBTED.of_block.energy,
     sentence=lambda evidence, value: f"{beginning(evidence)}: its kinetic energy is {value:.2g} of what it stores",
     advice=ADVICE.format("it"),
     asked_of=is_block_asked,
