@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from masonry.comparison.study import word_of
 from masonry.comparison.variants import KINDS
 from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
@@ -39,7 +40,7 @@ def figure_of(title: str, folder: Path, rows: Sequence[dict[str, Any]]) -> Any:
         stress = result.history.rows["stress"] * curve.factor
         if len(stress) == 0:
             continue
-        label = row["variant"] if row["status"] == "OK" else f"{row['variant']} ({row['trust']})"
+        label = row["variant"] if row["status"] == "OK" else f"{row['variant']} ({word_of(row)})"
         axes.plot(curve.across, stress, label=plain(label), **style)
         if row["status"] != "OK":
             axes.plot(curve.across[-1], stress[-1], "x", color=style["color"], markersize=9, markeredgewidth=2)

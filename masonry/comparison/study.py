@@ -8,7 +8,6 @@ from typing import Any
 from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
-from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
 from masonry.runtime.folder import RESULTS, claim_for_many, scene_name, writing
 from masonry.runtime.lock import sole
@@ -56,9 +55,9 @@ def study(
 ) -> list[dict[str, Any]]:
     """Run a scene in each of the ways into a folder that `begin` has prepared; a row for each, the base first.
 
-    A row holds variant, kind, settings, status, trust (one word), trust_sentence, seconds, key of `folder/runs/KEY`,
-    the figures in SI and, as `KEY_deviation`, their relative deviations from the base; None where there is none.
-    Runs that are there already are not run again. For one who holds the folder (`lock.sole`).
+    A row holds variant, kind, settings, status, verdict, doubts (their names), trust_sentence, seconds, key of
+    `folder/runs/KEY`, the figures in SI and, as `KEY_deviation`, their relative deviations from the base; None where
+    there is none. Runs that are there already are not run again. For one who holds the folder (`lock.sole`).
     """
     jobs = [Job(folder / SCENE, variant.settings, variant.name) for variant in chosen]
     ended = run_alone(jobs, folder, workers, tell)
@@ -70,7 +69,6 @@ def study(
 
 def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
     parts = [ended.get(key) for key in DISSIPATED]
-    word, sentence = _trust(ended, folder)
     numbers: dict[str, Any] = {figure.key: ended.get(figure.key) for figure in FIGURES}
     numbers["dissipated_j"] = sum(parts) if all(isinstance(part, float) for part in parts) else None
     return {
@@ -78,8 +76,9 @@ def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
         "kind": variant.kind,
         "settings": variant.settings,
         "status": ended["status"],
-        "trust": word,
-        "trust_sentence": sentence,
+        "verdict": ended["verdict"],
+        "doubts": ended["doubts"],
+        "trust_sentence": _trust(ended, folder),
         **numbers,
         "steps": ended.get("steps"),
         "seconds": ended["seconds"],
@@ -87,12 +86,16 @@ def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
     }
 
 
-def _trust(ended: Row, folder: Path) -> tuple[str, str]:
-    """In a word, and in the sentence that the run's own summary would have."""
+def _trust(ended: Row, folder: Path) -> str:
+    """The sentence that the run's own summary would have, or why there is none."""
     if ended["status"] != OK:
-        return ended["status"].lower(), ended["reason"]
-    summary = json_of(folder / "runs" / ended["key"] / "summary.json")
-    return judgement_of(summary).verdict, trust(summary)
+        return str(ended["reason"])
+    return trust(json_of(folder / "runs" / ended["key"] / "summary.json"))
+
+
+def word_of(row: Row) -> str:
+    """What became of a run, in a word: its verdict, or its status where it did not come to its end."""
+    return str(row["verdict"] if row["status"] == OK else row["status"].lower())
 
 
 def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | None]:

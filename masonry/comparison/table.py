@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from masonry.comparison.study import FIGURES, Figure
+from masonry.comparison.study import FIGURES, Figure, word_of
 from masonry.errors import visible
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
@@ -21,16 +21,17 @@ OF_LITTLE = 0.01
 
 def text(rows: Sequence[Row]) -> str:
     """The table in columns, a line a run, and the sentence below it."""
-    heads = ["run", "trust", *(f"{f.name} [{f.unit}]" for f in FIGURES), "time"]
+    heads = ["run", "verdict", *(f"{f.name} [{f.unit}]" for f in FIGURES), "time", "doubts"]
     lines = [heads, *(_words(row) for row in rows)]
-    lost = [f"{row['variant']}: {row['trust']}, {row['trust_sentence']}" for row in rows if row["status"] != "OK"]
+    lost = [f"{row['variant']}: {word_of(row)}, {row['trust_sentence']}" for row in rows if row["status"] != "OK"]
     below = [line for words in (sentence(rows), *lost) for line in textwrap.wrap(visible(words), WIDTH)]
     return "\n".join([*columns(lines), "", *below])
 
 
 def _words(row: Row) -> list[str]:
     seconds = duration(row["seconds"]) if row["seconds"] is not None else "-"
-    return [visible(row["variant"]), row["trust"], *(_figure(row, figure) for figure in FIGURES), seconds]
+    figures = [_figure(row, figure) for figure in FIGURES]
+    return [visible(row["variant"]), word_of(row), *figures, seconds, visible(row["doubts"] or "")]
 
 
 def _figure(row: Row, figure: Figure) -> str:
@@ -94,7 +95,7 @@ def _told(row: Row, base: Row, figure: Figure) -> str:
 
 
 def _listed(rows: Sequence[Row]) -> str:
-    return ", ".join(f"{row['variant']} ({row['trust']})" for row in rows)
+    return ", ".join(f"{row['variant']} ({word_of(row)})" for row in rows)
 
 
 def as_csv(rows: Sequence[Row]) -> str:

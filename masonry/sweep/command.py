@@ -63,7 +63,7 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
     from masonry.sweep.picture import PICTURE, draw
-    from masonry.sweep.table import PARQUET, TABLE, table_of, write_table
+    from masonry.sweep.table import PARQUET, TABLE, table_of, verdicts_text, write_table
 
     with sole(folder, DOING), writing(folder):
         for stale in (PARQUET, TABLE, PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
@@ -77,5 +77,6 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     if not words.quiet:
         counts = Counter(row["status"] for row in rows)
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
+        print(verdicts_text(rows) or "no run has a verdict")
         print("\n".join(visible(f"{folder / name}") for name in (*tables, PICTURE)))
     return OK

@@ -26,9 +26,9 @@ def run(
     workers    processes on this machine, with one thread each
     tell       is called with a line for each run that ends
     scheduler  address of a Dask scheduler, whose workers then do the runs
-    A row holds key, status (OK, REFUSED, STOPPED, ERROR), reason, seconds and the numbers of summary.json by dotted
-    name. A run that failed leaves failure.json. What ended is not run again, but for an ERROR (a process that died, no
-    memory), which is tried again; jobs of the same key run once.
+    A row holds key, status (OK, REFUSED, STOPPED, ERROR), reason, seconds, verdict, doubts (their names) and the
+    numbers of summary.json by dotted name. A run that failed leaves failure.json. What ended is not run again, but for
+    an ERROR (a process that died, no memory), which is tried again; jobs of the same key run once.
     Raises SceneError before anything is written if a scene is wrong, and if another process runs into this folder.
     """
     for job in jobs:

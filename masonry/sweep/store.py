@@ -42,7 +42,11 @@ class Store:
         plain = isinstance(how.get("reason"), str) and isinstance(how.get("seconds"), int | float | None)
         if how.get("status") not in STATUSES or not plain:
             return None
-        own = {"key": key, **{name: how.get(name) for name in ("status", "reason", "seconds")}}
+        own = {
+            "key": key,
+            **{name: how.get(name) for name in ("status", "reason", "seconds")},
+            **_judged(numbers or {}),
+        }
         return own | {name: value for name, value in flat(numbers or {}).items() if name not in own}
 
     def keep(self, key: str, ended: Ended) -> Row:
@@ -61,6 +65,13 @@ class Store:
         row = self.row(key)
         assert row is not None
         return row
+
+
+def _judged(summary: dict[str, Any]) -> Row:
+    """The verdict, and the names of the doubts, with commas; None where a summary has none."""
+    doubts = summary.get("doubts")
+    names = None if doubts is None else ", ".join(dict.fromkeys(str(doubt["name"]) for doubt in doubts))
+    return {"verdict": summary.get("verdict"), "doubts": names}
 
 
 def _read(path: Path) -> dict[str, Any] | None:

@@ -2,18 +2,20 @@
 
 import csv
 import io
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
+from masonry.judgement.doubt import VERDICTS
 from masonry.sweep.plan import Planned
 from masonry.sweep.points import si
 from masonry.sweep.store import Row
 
 TABLE, PARQUET = "sweep.csv", "sweep.parquet"
-HOW = ("status", "reason", "seconds")
+HOW = ("status", "verdict", "doubts", "reason", "seconds")
 FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_imbalance", "reaction_mismatch_max")
 """The numbers that one looks at first; the others follow by name."""
 
@@ -46,19 +48,28 @@ def _in_si(text: str) -> tuple[float, str]:
 
 
 def table_of(planned: Sequence[Planned], rows: Sequence[Row]) -> dict[str, list[Any]]:
-    """Columns by name, in the order of the runs: index, key, what was set, status, reason, seconds, then all numbers.
+    """Columns by name, in the order of the runs: index, key, what was set, HOW it went, then all numbers.
 
     A column holds None where a run has no such value. Only columns whose name begins with `seconds` depend on when
     and where it was run.
     """
     heads = [
-        {"index": number, "key": row["key"], **values, **{name: row[name] for name in HOW}}
+        {"index": number, "key": row["key"], **values, **{name: row.get(name) for name in HOW}}
         for number, (values, row) in enumerate(zip(swept(planned), rows, strict=True))
     ]
     numbers = {name for row in rows for name in row} - {"key", *HOW}
     names = dict.fromkeys(name for head in heads for name in head if name not in HOW)
     order = (*names, *HOW, *(name for name in FIRST if name in numbers), *sorted(numbers - set(FIRST)))
     return {name: [(head | row).get(name) for head, row in zip(heads, rows, strict=True)] for name in order}
+
+
+def verdicts_text(rows: Sequence[Row]) -> str:
+    """How many runs have which verdict, and the doubt that most of them have; "" where none has a verdict."""
+    verdicts = Counter(row.get("verdict") for row in rows)
+    words = [f"{verdicts[verdict]} {verdict}" for verdict in VERDICTS if verdicts[verdict]]
+    doubts = Counter(name for row in rows if row.get("doubts") for name in row["doubts"].split(", "))
+    most = [f"most frequent doubt: {name} ({count} of {len(rows)} runs)" for name, count in doubts.most_common(1)]
+    return "; ".join([", ".join(words), *most] if words else most)
 
 
 def write_table(folder: Path, columns: dict[str, list[Any]]) -> tuple[str, ...]:

@@ -37,7 +37,8 @@ def test_rows_have_the_figures_of_their_runs_and_their_deviation_from_the_first(
         dissipated = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms["friction"]
         assert row["dissipated_j"] == pytest.approx(dissipated) and row["final_stress_pa"] == summary["final_stress_pa"]
         assert row["dissipated_j_deviation"] == pytest.approx(dissipated / base["dissipated_j"] - 1.0)
-        assert row["trust"] in ("sound", "with care") and row["trust_sentence"].endswith(".")
+        assert row["verdict"] == summary["verdict"] and row["trust_sentence"].startswith(row["verdict"])
+        assert row["doubts"] == ", ".join(doubt["name"] for doubt in summary["doubts"])
     softening = others[-1]  # plastic slip lacks the elastic part: strength falls sooner
     assert -0.05 < softening["dissipated_j_deviation"] < -0.001
 
@@ -117,7 +118,8 @@ def row(**more):
         "variant": "as it is",
         "kind": "base",
         "status": "OK",
-        "trust": "sound",
+        "verdict": "sound",
+        "doubts": "",
         "trust_sentence": "",
         "seconds": 1.0,
     }
@@ -137,7 +139,9 @@ def test_the_sentence_names_what_moves_each_figure_most():
 
 
 def test_what_did_not_end_is_not_compared_and_an_end_stress_of_nothing_is_held_against_the_peak():
-    lost = row(variant="pace", kind="pace", status="STOPPED", trust="stopped", trust_sentence="why", peak_stress_pa=3e6)
+    lost = row(
+        variant="pace", kind="pace", status="STOPPED", verdict="stopped", trust_sentence="why", peak_stress_pa=3e6
+    )
     base, near = row(final_stress_pa=1e3), row(variant="cells", kind="cells", final_stress_pa=2e3)
     said = table.sentence(compared(base, lost, near))
     assert said.startswith("No variant moves any of these by more than 1 %") and "pace (stopped)" in said

@@ -58,6 +58,9 @@ def test_a_sweep_leaves_a_row_a_run_with_values_as_given_and_in_si(sweep, capsys
     assert [row["confinement [Pa]"] for row in rows] == [1e5, 1e5, 2.5e5, 2.5e5]
     assert [row["solver.damping times"] for row in rows] == [1.0, 0.5, 1.0, 0.5]
     assert all(row["status"] == "OK" and row["peak_stress_pa"] > 1e5 for row in rows)
+    sound = sum(row["verdict"] == "sound" for row in rows)
+    assert all((row["verdict"] == "sound") == (row["doubts"] == "") for row in rows)
+    assert (f"{sound} sound" in said.out) == (sound > 0) and ("most frequent doubt" in said.out) == (sound < 4)
     with Path("results/sweep-1/sweep.csv").open(encoding="utf-8") as file:
         people = list(csv.DictReader(file))
     assert [float(row["peak_stress_pa"]) for row in people] == [row["peak_stress_pa"] for row in rows]

@@ -11,6 +11,7 @@ from masonry.sweep import engine
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import SHOWING, Job, names
 from masonry.sweep.store import Store
+from masonry.sweep.table import verdicts_text
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
@@ -139,3 +140,15 @@ def test_a_failure_that_nobody_wrote_so_is_none(tmp_path, failure):
     folder.mkdir(parents=True)
     (folder / "failure.json").write_text(failure, encoding="utf-8")
     assert Store(tmp_path).row("abc") is None
+
+
+def test_verdicts_are_counted_with_the_most_frequent_doubt_and_old_rows_have_none():
+    rows = [
+        {"verdict": "sound", "doubts": ""},
+        {"verdict": "with care", "doubts": "overlap, slip"},
+        {"verdict": "stopped", "doubts": "stopped, slip"},
+        {"verdict": None, "doubts": None},
+    ]
+    assert verdicts_text(rows) == "1 sound, 1 with care, 1 stopped; most frequent doubt: slip (2 of 4 runs)"
+    assert verdicts_text([{"verdict": "sound", "doubts": ""}]) == "1 sound"
+    assert verdicts_text([{}, {}]) == ""
