@@ -97,7 +97,10 @@ def test_an_arch_at_rest_without_slip_is_not_doubted_for_rounding():
     flat = (("specimen.voussoirs", 8), ("specimen.angle", "100 deg"), ("specimen.thickness", "200 mm"))
     summary = run("arch", *flat).summary
     assert summary["joints_opened_or_slid"] == 0 and "with care" not in trust(summary)
-    assert summary["kinetic_over_internal_max"] < 0.01 and summary["damping_over_external"] >= 0.0
+    assert summary["kinetic_over_internal_max"] is None and summary["damping_over_external"] is None, (
+        "nothing drives it"
+    )
+    assert summary["not_measured"] == []
 
 
 @pytest.mark.parametrize(

@@ -46,12 +46,13 @@ def test_a_packaged_scene_runs_to_its_end(name):
     assert (summary["stopped"], summary["interrupted"]) == ("", False)
     if scene.drive is None:
         assert summary["unbalanced_after_settling"] < 1e-9
+        assert summary["peak_stress_pa"] is None and summary["reaction_mismatch_max"] is None
     else:
+        assert summary["reaction_mismatch_max"] < 0.02
         assert summary["peak_stress_pa"] >= abs(summary["final_stress_pa"])
         assert summary["final_stress_pa"] > 0.0 or summary["cycles"]
     assert all(cycle["closed"] and cycle["dissipated_j"] > 0.0 for cycle in summary["cycles"])
     require_balance(summary)
     assert summary["energy_imbalance"] < 1e-9
-    assert summary["reaction_mismatch_max"] < 0.02
-    assert summary["kinetic_over_internal_max"] < 0.05
+    assert (summary["kinetic_over_internal_max"] or 0.0) < 0.05 and summary["not_measured"] == []
     assert summary["dissipation_mismatch"] < 0.01

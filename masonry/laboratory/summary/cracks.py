@@ -32,7 +32,7 @@ def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[Su
         damaged_area_m2=areas_beyond(assembly, outcome, DAMAGED),
         symmetry_lost=symmetry_lost(joints, frames, lambda axis: is_loaded_alike(assembly, axis)),
         mode_2_over_law=outcome.found["mode_2_over_law"],
-        slip_max=float(observed["slip"].max()) if "slip" in observed else 0.0,
+        slip_max=float(observed["slip"].max()) if "slip" in observed else None,
         slip_limit=assembly.scene.solver.slip_limit,
     )
 

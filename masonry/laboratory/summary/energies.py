@@ -16,23 +16,22 @@ def energies(assembly: Assembly, outcome: Outcome, scales: Scales, released: flo
     """The ledger at the end, the works of drive and loads, and shares of them; released: J, by sudden cracks."""
     rows, work_of_loads = outcome.history.rows, outcome.found["work_of_loads"]
     after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
+    driven = assembly.scene.drive is not None
     return Energies(
-        work_of_drive_j=_work_of_drive(assembly, rows, scales.settled, after_settling),
-        work_of_force_j=None if assembly.model.large is None else float(scales.pushed[-1]),
+        work_of_drive_j=_work_of_drive(rows, scales.settled, after_settling) if driven else None,
+        work_of_force_j=float(scales.pushed[-1]) if driven and assembly.model.large is not None else None,
         work_of_loads_j=_by_load(assembly, work_of_loads),
         work_of_loads_after_settling_j=_by_load(assembly, after_settling),
         energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS) if key in rows},
         energy_imbalance=float(np.abs(rows["imbalance"]).max() / scales.moved) if scales.moved > 0 else 0.0,
         dissipation_mismatch=_mismatch(assembly, rows, scales),
         kinetic_over_internal_max=_kinetic(rows, scales),
-        damping_over_external=(scales.taken - released) / scales.driven if scales.driven > 0.0 else 0.0,
+        damping_over_external=(scales.taken - released) / scales.driven if scales.driven > 0.0 else None,
     )
 
 
-def _work_of_drive(assembly: Assembly, rows: dict[str, np.ndarray], settled: int, of_loads: np.ndarray) -> float:
+def _work_of_drive(rows: dict[str, np.ndarray], settled: int, of_loads: np.ndarray) -> float:
     """J since the settling: that of all, less that of the loads."""
-    if assembly.scene.drive is None:
-        return 0.0
     return float(rows["external_work"][-1] - rows["external_work"][settled] - of_loads.sum())
 
 
@@ -48,8 +47,8 @@ def _mismatch(assembly: Assembly, rows: dict[str, np.ndarray], scales: Scales) -
     return torn / scales.booked if measured and scales.booked > 0.0 else 0.0
 
 
-def _kinetic(rows: dict[str, np.ndarray], scales: Scales) -> float:
-    """The largest kinetic energy over what blocks and contacts have taken up."""
+def _kinetic(rows: dict[str, np.ndarray], scales: Scales) -> float | None:
+    """The largest kinetic energy over what blocks and contacts have taken up; None where no row counts."""
     counting = scales.counting
     ratio = rows["kinetic"][counting] / np.maximum(scales.internal[counting], max(1e-6 * scales.work, 1e-300))
-    return float(ratio.max()) if counting.any() else 0.0
+    return float(ratio.max()) if counting.any() else None

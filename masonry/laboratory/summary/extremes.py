@@ -12,25 +12,26 @@ from masonry.timeloop.recording import Outcome
 def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
     """Stresses and places of the drive, and readings of the gauges."""
     rows, section = outcome.history.rows, assembly.specimen.section
+    driven = assembly.scene.drive is not None
     return Extremes(
-        peak_stress_pa=outcome.peak_force / section,
-        displacement_at_peak_m=outcome.displacement_at_peak,
-        final_stress_pa=float(rows["stress"][-1]),
-        peak_force_n=outcome.peak_force,
-        lowest_stress_pa=outcome.lowest_force / section,
-        displacement_at_lowest_m=outcome.displacement_at_lowest,
+        peak_stress_pa=outcome.peak_force / section if driven else None,
+        displacement_at_peak_m=outcome.displacement_at_peak if driven else None,
+        final_stress_pa=float(rows["stress"][-1]) if driven else None,
+        peak_force_n=outcome.peak_force if driven else None,
+        lowest_stress_pa=outcome.lowest_force / section if driven else None,
+        displacement_at_lowest_m=outcome.displacement_at_lowest if driven else None,
         cycles=table(scales.before_fall, outcome.observed["widest"], assembly.scene.loops_over),
         tilt_rad=float(rows[TILT][-1]) if TILT in rows else None,
-        gauges=_readings(assembly, outcome),
+        gauges=_readings(assembly, outcome, driven),
     )
 
 
-def _readings(assembly: Assembly, outcome: Outcome) -> dict[str, Readings]:
-    """By gauge, at the peak (between the rows before and after it) and at the end."""
+def _readings(assembly: Assembly, outcome: Outcome, driven: bool) -> dict[str, Readings]:
+    """By gauge, at the peak of the drive (between the rows before and after it) and at the end."""
     standing, peak = outcome.standing_rows, outcome.displacement_at_peak
     return {
         gauge.name: Readings(
-            at_peak_m=at_peak(standing, standing[gauge.name], peak),
+            at_peak_m=at_peak(standing, standing[gauge.name], peak) if driven else None,
             final_m=float(outcome.history.rows[gauge.name][-1]),
         )
         for gauge in assembly.recording.gauges

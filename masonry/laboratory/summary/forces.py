@@ -19,9 +19,9 @@ def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:
     least = rounded(assembly.model, float(rows["kinetic"].max()))
     return Forces(
         reactions=_reactions(assembly, outcome),
-        force_balance=open_by(standing.values(), size, least),
-        motion_at_end=moved_by(standing["end"], standing.values(), size) if "end" in standing else 0.0,
-        reaction_mismatch_max=_mismatch(rows, scales),
+        force_balance=open_by(standing.values(), size, least) if standing else None,
+        motion_at_end=moved_by(standing["end"], standing.values(), size) if "end" in standing else None,
+        reaction_mismatch_max=None if assembly.scene.drive is None else _mismatch(rows, scales),
     )
 
 
@@ -35,7 +35,7 @@ def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     return {when: balance(holds, loads, standing) for when, standing in outcome.standing.items()}
 
 
-def _mismatch(rows: dict[str, np.ndarray], scales: Scales) -> float:
-    """The largest difference between the stresses at the drive and at the supports, over the peak."""
+def _mismatch(rows: dict[str, np.ndarray], scales: Scales) -> float | None:
+    """The largest difference between the stresses at the drive and at the supports, over the peak; None without one."""
     mismatch = np.abs(rows["stress"] - rows["support_stress"])[scales.counting]
-    return float(mismatch.max() / scales.stress) if scales.stress > 0 and scales.counting.any() else 0.0
+    return float(mismatch.max() / scales.stress) if scales.stress > 0 and scales.counting.any() else None

@@ -7,7 +7,7 @@ more than a slow run has.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import should_be_slow
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly
 from masonry.judgement.evidence import Evidence
 
 TAKES, ADDS = 0.02, 0.01
@@ -25,7 +25,7 @@ DAMPING = Criterion(
     limit=TAKES,
     sentence="not quasi-static: damping takes {value:.2g} of the work (should be under {limit:g})",
     advice="load more slowly: ask for a smaller accuracy, or lower the rate",
-    asked_of=should_be_slow,
+    asked_of=acts_slowly("damping_over_external"),
 )
 DAMPING_GAIN = Criterion(
     name="damping_gain",
@@ -33,5 +33,5 @@ DAMPING_GAIN = Criterion(
     limit=ADDS,
     sentence="damping added {percent} of the work and removed none",
     advice="ask for a smaller accuracy",
-    asked_of=lambda evidence: not evidence.in_real_time,
+    asked_of=lambda evidence: not evidence.in_real_time and (evidence.has_drive or gain(evidence) is not None),
 )

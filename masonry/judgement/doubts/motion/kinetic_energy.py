@@ -4,7 +4,7 @@
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import should_be_slow
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly
 
 LIMIT = 0.05
 KINETIC_ENERGY = Criterion(
@@ -14,6 +14,6 @@ KINETIC_ENERGY = Criterion(
     sentence="not quasi-static: the kinetic energy reaches {value:.2g} of the internal energy (should be under "
     "{limit:g})",
     advice="load more slowly: ask for a smaller accuracy, or lower the rate",
-    asked_of=should_be_slow,
+    asked_of=acts_slowly("kinetic_over_internal_max"),
     unknown="the kinetic energy is not known",
 )

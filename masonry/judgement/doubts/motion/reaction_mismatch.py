@@ -4,7 +4,7 @@ The stress is read at the drive: it is uncertain by what the other end reads oth
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import should_be_slow
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly
 
 REACTION_MISMATCH = Criterion(
     name="reaction_mismatch",
@@ -13,6 +13,6 @@ REACTION_MISMATCH = Criterion(
     sentence="not quasi-static: the forces at drive and support differ by {value:.2g} of the peak (should be under "
     "{limit:g})",
     advice="load more slowly: ask for a smaller accuracy, or lower the rate",
-    asked_of=should_be_slow,
+    asked_of=acts_slowly("reaction_mismatch_max"),
     unknown="by how much the forces at drive and support differ is not known",
 )

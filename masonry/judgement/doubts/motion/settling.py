@@ -14,8 +14,8 @@ ADVICE = "raise settle.steps, or leave [settle] out; if that does not help, {} c
 
 
 def is_asked(evidence: Evidence) -> bool:
-    """What moves in real time need not rest."""
-    return not evidence.in_real_time
+    """What moves in real time need not rest, and without loads nothing settles."""
+    return not evidence.in_real_time and evidence.summary.get("work_of_loads_j") != {}
 
 
 UNBALANCED_AFTER_SETTLING = Criterion(
