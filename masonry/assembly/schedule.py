@@ -10,14 +10,14 @@ from masonry.errors import SceneError
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing import Control, Growing
 from masonry.loading.drive.adaptive import Controlled
-from masonry.loading.plan import Plan
+from masonry.loading.plan import PacedPlan, Plan
 from masonry.loading.schedule import followed, passage, program, require_few, rise, smooth, steps_at
 from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed
 from masonry.scene.tables.loading import Drive
 
-AnyPlan = TypeVar("AnyPlan", Program, Controlled, Growing)
+AnyPlan = TypeVar("AnyPlan", bound=Program | PacedPlan)
 
 FEWEST = 2000
 """Steps in which dead loads settle where the scene does not say, and nobody has looked how many they need: settling.py

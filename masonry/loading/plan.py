@@ -87,6 +87,11 @@ class PacedPlan:
     def settle(self) -> int:
         return len(self.dead_load) - 1
 
+    @property
+    def varies(self) -> int:
+        """How many loads of the scene vary with it: they are none yet while the dead loads settle."""
+        return 0
+
     def factors_at(self, steps: np.ndarray) -> np.ndarray | None:
         """Nobody knows them beforehand."""
         return None
@@ -97,7 +102,8 @@ class PacedPlan:
 
     def settling(self) -> Program:
         """The dead loads alone, as long as they settle."""
-        return Program(self.dead_load, np.zeros(self.settle + 1), self.settle, 0, layers=self.layers)
+        varying = np.zeros((self.varies, self.settle + 1)) if self.varies else None
+        return Program(self.dead_load, np.zeros(self.settle + 1), self.settle, 0, varying, layers=self.layers)
 
     def settling_damping(self, damping: Any) -> Any:
         """As it is in the run."""

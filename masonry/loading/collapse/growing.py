@@ -7,7 +7,7 @@ that was not. Where the scene names a gauge, that is then led on behind the coll
 and fro is borne at each of its turning points, or ends where nothing balances it before.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +21,6 @@ from masonry.loading.collapse.settings import FALLING, GROWING, GrowingSettings
 from masonry.loading.collapse.trials import FactorLoad, Tally, Trials
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan
-from masonry.loading.scheduled import Program
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.rows.columns import FACTOR, OFF_BALANCE
@@ -69,10 +68,10 @@ class Growing(PacedPlan):
         looks = before / GROWING.look + behind / FALLING.longest
         return Expected(before + behind, ROWS_OF_TRIAL * self.trials + (ROWS_OF_BRANCH if behind else 0), looks)
 
-    def settling(self) -> Program:
-        """The dead loads alone, as long as they settle; the load that grows is none yet."""
-        varying = np.zeros((len(self.path.load_factors(0.0)), self.settle + 1))
-        return replace(super().settling(), varying=varying)
+    @property
+    def varies(self) -> int:
+        """A tilt is two loads."""
+        return len(self.path.load_factors(0.0))
 
     def loading(self, model: Model, rows: int, gauges: tuple[Gauge, ...] = ()) -> "GrowingLoading":
         """One trial after the other; what falls is put back to where it rested."""
