@@ -22,6 +22,7 @@ from masonry.assembly.scatter import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
+from masonry.configuration.setting_off import begin
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory
 from masonry.loading.drive.predictor import LITTLE
@@ -29,7 +30,6 @@ from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.layout import Material, lay_out
-from masonry.model.motion import begin
 from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
 from masonry.timeloop.recording import Recording
@@ -122,7 +122,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
 
 def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None, Joints]:
     """Tets in the blocks that a scene wants to have them, those of its file first, and the joints with points there."""
-    wanted = np.array([scene.kinematics_of(g) == "tets" for g in blocks.groups])[blocks.group]
+    wanted = np.array([scene.is_meshed(g) for g in blocks.groups])[blocks.group]
     if not wanted.any():
         return None, joints
     spec = scene.specimen

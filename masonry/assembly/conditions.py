@@ -10,8 +10,9 @@ from geometry.specimens.placed import FLOOR
 from masonry.assembly.fill import weight_of_fill
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
+from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, Material
-from masonry.model.motion import rows_of, velocities_of
+from masonry.model.motion import velocities_of
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene
@@ -102,7 +103,7 @@ def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout
         angular_velocity = np.array(start.spin)
         spin[chosen] += angular_velocity
         for kind in KINDS:
-            if len(rows := rows_of(layout, kind, chosen)) == 0:
+            if len(rows := KIND[kind].rows_of(layout, chosen)) == 0:
                 continue
             moves = velocities_of(layout, kind, rows, np.array(start.velocity), angular_velocity, np.array(centre))
             if (moves[conditions.prescribed[kind][rows]] != 0.0).any():

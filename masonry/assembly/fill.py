@@ -24,7 +24,7 @@ def weight_of_fill(
 ) -> dict[str, np.ndarray | None]:
     """The load by kind; gravity: m/s2, > 0. Raises SceneError where the level is below all, and for blocks of tets."""
     blocks, load = specimen.blocks, dict.fromkeys(KINDS)
-    if (layout.kind[chosen] == KINDS.index("tets")).any():
+    if layout.meshed[chosen].any():
         raise SceneError(f"{where}.on = '{fill.on}': a fill acts on rigid and affine blocks, not on tets")
     faces = _open_faces(blocks, joints, chosen, f"{where}.on = '{fill.on}'")
     owner = blocks.face_block()[faces]

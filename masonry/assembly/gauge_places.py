@@ -12,7 +12,7 @@ from geometry.polyhedra.polygons import pad
 from masonry.assembly.conditions import select
 from masonry.errors import SceneError
 from masonry.model.gauges import Gauge, Place, gauge
-from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.layout import Layout, tet_gradients, tet_volumes
 from masonry.scene import Scene
 from masonry.scene.tables.gauge import Coordinates
 
@@ -41,7 +41,7 @@ def _place(specimen: Specimen, joints: Joints, layout: Layout, where: str | Coor
     else:
         area, _, centre = face_areas_normals_centroids(blocks)
         point, weight, owner = centre[faces], area[faces], blocks.face_block()[faces]
-    meshed = layout.kind[owner] == KINDS.index("tets")
+    meshed = layout.meshed[owner]
     node, node_weight = np.zeros(0, dtype=np.int64), np.zeros(0)
     if layout.mesh is not None and meshed.any():
         if faces is None:
@@ -75,7 +75,7 @@ def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -
     level = np.einsum("fi,fi->f", normal, centre)
     planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
     cut = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
-    solid = layout.kind[cut.body] != KINDS.index("tets")
+    solid = ~layout.meshed[cut.body]
     if len(cut.body) == 0:
         raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")
     node, node_weight = np.zeros(0, dtype=np.int64), np.zeros(0)

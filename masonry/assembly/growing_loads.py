@@ -96,7 +96,7 @@ def _add_force(
     if at is None:
         add_gravity(layout, load, density, force)
         return
-    if (layout.kind[chosen] == KINDS.index("tets")).any():
+    if layout.meshed[chosen].any():
         raise SceneError("limit.at: a force on blocks of tets acts throughout them; leave the place out")
     for b in chosen.tolist():
         add_force(layout, load, b, density[b] * layout.volume[b] * force, np.array(at) - layout.centroid[b])

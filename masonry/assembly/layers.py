@@ -4,7 +4,6 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.assembly.conditions import density_of
-from masonry.assembly.loose_parts import block_of_rows
 from masonry.model.layout import KINDS, Layout, Material
 from masonry.model.loads import Conditions, add_gravity
 from masonry.scene import Scene
@@ -37,7 +36,7 @@ def layer_of(blocks: Blocks, layout: Layout, conditions: Conditions, gravity: np
     for kind in KINDS:
         if layout.rows(kind):
             free = ~conditions.prescribed[kind].all(axis=1)
-            moves[block_of_rows(layout, kind)[free]] = True
+            moves[layout.owner[kind][free]] = True
     corner = blocks.points[blocks.face_points] @ up
     owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
     low, high = corner[moves[owner]].min(), corner[moves[owner]].max()

@@ -5,6 +5,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from geometry.joints.find import connected
 from masonry.errors import SceneError
+from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions
 
@@ -46,16 +47,10 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bool:
     """Whether a support, and not only the drive, holds some dof of a part."""
     return any(
-        bool((conditions.supported[kind] & member[block_of_rows(layout, kind)][:, None]).any())
+        bool((conditions.supported[kind] & member[layout.owner[kind]][:, None]).any())
         for kind in KINDS
         if layout.rows(kind)
     )
-
-
-def block_of_rows(layout: Layout, kind: str) -> np.ndarray:
-    """The block of each row of dofs of a kind."""
-    members = layout.members[kind]
-    return np.repeat(members, np.diff(_row_start(layout))) if kind == "tets" else members
 
 
 def _rigid_motions(
@@ -69,7 +64,7 @@ def _rigid_motions(
     for kind in KINDS:
         if layout.rows(kind) == 0:
             continue
-        owner = block_of_rows(layout, kind)
+        owner = layout.owner[kind]
         motion = _motion_of_rows(layout, kind, owner, size)
         motion[~member[owner]] = 0.0
         alike = motion.copy()
@@ -81,28 +76,16 @@ def _rigid_motions(
     return np.concatenate(rows), load
 
 
-def _row_start(layout: Layout) -> np.ndarray:
-    assert layout.mesh is not None
-    last = np.append(layout.members["tets"], len(layout.kind))
-    return layout.mesh.node_start[last]
-
-
 def _motion_of_rows(layout: Layout, kind: str, owner: np.ndarray, size: float) -> np.ndarray:
     """(rows, dofs, 6): each dof under a unit move along, and a turn of 1/size about, x, y and z.
 
     Turns are about the middle of the specimen, wherever that stands.
     """
-    place = layout.mesh.nodes if kind == "tets" and layout.mesh is not None else layout.centroid[owner]
-    axes, identity, arm = layout.axes[owner], np.eye(3), place - layout.centroid.mean(axis=0)
+    identity, arm = np.eye(3), layout.place[kind] - layout.centroid.mean(axis=0)
     moves = np.concatenate([np.broadcast_to(identity, (len(owner), 3, 3)), _cross(arm) / size], axis=2)
-    if kind == "tets":
-        return moves
-    none = np.zeros((len(owner), 3, 3))
-    if kind == "rigid":
-        return np.concatenate([moves, np.concatenate([none, axes.transpose(0, 2, 1) / size], axis=2)], axis=1)
-    spin = np.cross(identity[:, None, :], identity[None, :, :])  # spin[m, k] = e_m x e_k, so H_ik = spin[m, k, i]
-    strain = np.einsum("mki,ckj->cijm", spin, axes).reshape(len(owner), 9, 3) / size
-    return np.concatenate([moves, np.concatenate([np.zeros((len(owner), 9, 3)), strain], axis=2)], axis=1)
+    turns = np.stack([KIND[kind].spin(layout.axes[owner], axis) for axis in identity], axis=2) / size
+    beyond = np.concatenate([np.zeros(turns.shape), turns], axis=2)
+    return np.concatenate([moves, beyond], axis=1)
 
 
 def _cross(place: np.ndarray) -> np.ndarray:

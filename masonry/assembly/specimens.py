@@ -131,7 +131,7 @@ def _require_what_goes_with_gaps(scene: Scene, is_divided: bool) -> None:
             f'displacements = "large": {why}; large displacement finds contacts where blocks touch: import it without '
             "--gap, by a --tolerance that closes the gaps, or leave displacements small"
         )
-    if any(kind == "tets" for kind in {scene.kinematics_of(g) for g in scene.material}):
+    if any(scene.is_meshed(g) for g in scene.material):
         raise SceneError(f"kinematics 'tets': {why}, where no mesh has nodes; take 'rigid' or 'affine'")
     if is_divided:
         raise SceneError(f"specimen.divisions and cells: {why}, which parts of blocks do not share; leave them out")

@@ -143,7 +143,7 @@ def plates(assembly: Assembly) -> list[Variant]:
     for k, support in enumerate(scene.support):
         members = specimen.sets.get(support.on, np.zeros(0, dtype=np.int64))
         groups = {specimen.blocks.groups[g] for g in specimen.blocks.group[members]}
-        rigid = groups and all(scene.kinematics_of(g) == "rigid" for g in groups)
+        rigid = groups and not any(scene.deforms(g) for g in groups)
         fixed = set(support.fix)
         is_plate = "plate" in support.on or support.on == "beam"
         if not is_plate or not rigid or {"x", "y", "z", "rotation"} <= fixed:

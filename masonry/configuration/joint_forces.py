@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.polyhedra.measures import extent
-from masonry.configuration.energy import moved
+from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import Near
 from masonry.patches.press import point_forces
@@ -40,9 +40,9 @@ class Points(NamedTuple):
 class JointForces:
     """Takes the forces of all contacts of a model; which contacts make up a joint is found once."""
 
-    def __init__(self, model: Model) -> None:
-        self.model, joints = model, model.joints
-        if model.large is None or not len(joints.area):
+    def __init__(self, model: Model, large: Large) -> None:
+        self.model, self.large, joints = model, large, model.joints
+        if not len(joints.area):
             return
         from scipy.spatial import cKDTree
 
@@ -63,12 +63,9 @@ class JointForces:
         self.nearest = cKDTree(self._place(joints.point, which.ravel(), self.normal))
 
     def take(self) -> np.ndarray:
-        """(C, 3) N on side a; in large displacement turned back with the block on the side of the lower unit."""
-        model = self.model
-        force: np.ndarray = model.contacts.force.copy()
-        if model.large is None:
-            return force
-        gone = ~model.large.bonds.alive
+        """(C, 3) N on side a, turned back with the block on the side of the lower unit."""
+        force: np.ndarray = self.model.contacts.force.copy()
+        gone = ~self.model.alive
         force[gone] = 0.0
         if gone.any():
             self._of_patches(gone, force)
@@ -110,9 +107,7 @@ class JointForces:
     def _on_joints(self, gone: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Of all points of patches in the plane of a joint: its number (K,), the place (K, 3) m and the force (K, 3) N
         on the side of the lower unit, turned back with the block there."""
-        model = self.model
-        assert model.large is not None
-        near, found = model.large.near, _points(model.large.near)
+        near, found = self.large.near, _points(self.large.near)
         key, sign = self._sides(found.block)
         which = np.minimum(np.searchsorted(self.pairs, key), len(self.pairs) - 1)
         row, low = np.arange(len(key)), (sign < 0.0).astype(int)
@@ -121,7 +116,7 @@ class JointForces:
         undo = (motion.frame if motion.dual is None else motion.dual)[body]  # transposed
         place = found.place - motion.centre[body] - motion.moved[body, :3]
         place = motion.centre[body] + np.einsum("kji,kj->ki", undo, place)
-        back = sign[:, None, None] * model.large.bonds.frames[block].transpose(0, 2, 1)
+        back = sign[:, None, None] * self.large.bonds.frames[block].transpose(0, 2, 1)
         acts, normal = (np.einsum("kij,kj->ki", back, vector) for vector in (found.force, found.normal))
         contact = self.nearest.query(self._place(place, which, normal))[1]
         aligned = np.einsum("ki,ki->k", normal, self.normal[contact]) > ALIGNED
@@ -173,19 +168,24 @@ class JointForces:
         return np.asarray(one[:, None] * self.along + two[:, None] * self.beside)
 
 
-def forces_on_blocks(model: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """All that acts between blocks now, in large displacement: the block (K,), the force (3, K) N on it, and its arm
     (3, K) m from the centroid, along x, y and z; of blocks of tets from where that was."""
-    assert model.large is not None
-    bonds, joints, layout = model.large.bonds, model.joints, model.layout
-    found, whole = _points(model.large.near), bonds.alive
+    bonds, joints, layout = large.bonds, model.joints, model.layout
+    found, whole = _points(large.near), bonds.alive
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
     block, force = np.concatenate([found.block, pair]), np.concatenate([found.force, bonds.force[whole]])
-    place = np.concatenate([found.place, joints.point[whole] + moved(model, joints.point[whole], pair[:, 1])])
-    now = layout.centroid + model.large.near.motion.moved[: len(layout.centroid), :3]
+    place = np.concatenate([found.place, joints.point[whole] + moved(model, large, joints.point[whole], pair[:, 1])])
+    now = layout.centroid + large.near.motion.moved[: len(layout.centroid), :3]
     sides = block.T.ravel()
     arm = np.concatenate([place, place]) - now[sides]
     return sides, np.concatenate([force, -force]).T.copy(), arm.T.copy()
+
+
+def moved(model: Model, large: Large, point: np.ndarray, block: np.ndarray) -> np.ndarray:
+    """(K, 3) m, how far points (K, 3) of some rigid or affine blocks have moved."""
+    motion, arm = large.near.motion, point - model.layout.centroid[block]
+    return np.asarray(motion.moved[block, :3] + np.einsum("kij,kj->ki", motion.frame[block], arm) - arm)
 
 
 def _points(near: Near) -> Points:

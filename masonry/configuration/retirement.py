@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.joints.extents import joint_extents
-from masonry.configuration.energy import stored_in_contacts
+from masonry.configuration.contacts import stored_in_contacts
 from masonry.configuration.room import make_room
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
-from masonry.model.large.meeting import keys
+from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA, NORMAL_GAINED, SHEAR, SHEAR_LOST, Near
 from masonry.patches.press import gap_of, stored
@@ -34,24 +34,23 @@ class Carried(NamedTuple):
     sheared: float
 
 
-def retire(model: Model) -> None:
+def retire(model: Model, large: Large) -> None:
     """Let the bonds between two blocks go once all of them are broken; patches take over what they carry.
 
     What the bonds dissipated is final. What their springs hold is booked as lost, and what the new points hold as
     gained: no less, but where the shear of bonds that stick was spread otherwise than their pressure.
     """
-    assert model.large is not None
-    bonds, search, account = model.large.bonds, model.large.near.search, model.large.near.account
-    broken = bonds.alive & (_broken(model) | _slid_past(model, bonds.alive))
+    bonds, search, account = large.bonds, large.near.search, large.near.account
+    broken = bonds.alive & (_broken(model, large) | _slid_past(model, large, bonds.alive))
     if not broken.any():
         return
-    joints, count = model.joints, len(model.large.near.pieces.body)
+    joints, count = model.joints, len(large.near.pieces.body)
     key = joints.block_a * count + joints.block_b
-    broken |= bonds.alive & _hinges(model) & np.isin(key, key[broken])
+    broken |= bonds.alive & _hinges(model, large) & np.isin(key, key[broken])
     going = np.flatnonzero(broken & ~np.isin(key, key[bonds.alive & ~broken]))
     if len(going) == 0:
         return
-    left = _carried(model, key[going], going)
+    left = _carried(model, large, key[going], going)
     before = stored_in_contacts(model)
     bonds.alive[going] = False
     model.contacts.area[going] = 0.0
@@ -61,13 +60,13 @@ def retire(model: Model) -> None:
     account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
     search.alive[:] = np.isin(search.bonded, key[bonds.alive])
     search.built[:] = -np.inf
-    while refresh(model.large.near) < 0.0:
-        make_room(model)
-    for found, pairs in _pairs_of(model.large.near, left.keys(), count).items():
-        _hand_over(model.large.near, pairs, left[found])
+    while refresh(large.near) < 0.0:
+        make_room(model, large)
+    for found, pairs in _pairs_of(large.near, left.keys(), count).items():
+        _hand_over(large.near, pairs, left[found])
 
 
-def _broken(model: Model) -> np.ndarray:
+def _broken(model: Model, large: Large) -> np.ndarray:
     """(C,) which bonds have no strength left beyond that of patches, or never had any, and no dilation to come."""
     found = np.zeros(len(model.group), dtype=bool)
     for g, joint in enumerate(model.groups.properties):
@@ -79,45 +78,42 @@ def _broken(model: Model) -> np.ndarray:
         both = tension * shear if joint.combined is not None else np.maximum(tension * pulled, shear * sheared)
         found[own] = both * (pulled | sheared) < STRENGTH_LEFT
         if joint.tan_dilation is not None:
-            found[own] &= _has_risen(model, own, joint)
+            found[own] &= _has_risen(model, large, own, joint)
     return found
 
 
-def _slid_past(model: Model, alive: np.ndarray) -> np.ndarray:
+def _slid_past(model: Model, large: Large, alive: np.ndarray) -> np.ndarray:
     """(C,) which bonds slid so far that nothing of one side of their joint faces the other any more."""
-    assert model.large is not None
-    u, normal = model.contacts.u[1:], model.contacts.normal
+    u, normal = large.parted, model.contacts.normal
     slip = np.linalg.norm(u - np.einsum("ci,ci->c", u, normal)[:, None] * normal, axis=1)
-    if not np.any(slip[alive] > model.large.near.search.skin[0]):
+    if not np.any(slip[alive] > large.near.search.skin[0]):
         return np.zeros(len(u), dtype=bool)
     axes, extent = joint_extents(model.blocks, model.joints)
     return np.asarray(np.any(np.abs(np.einsum("ckj,cj->ck", axes, u)) > extent, axis=1))
 
 
-def _has_risen(model: Model, own: slice, joint: JointProperties) -> np.ndarray:
+def _has_risen(model: Model, large: Large, own: slice, joint: JointProperties) -> np.ndarray:
     """(n,) where faces do not dilate any more: they slid to the cut-off, or stood open wider than they rise by then.
 
     Bonds stay where they were found, so what slides on past the skin is found anew and dilates no more.
     """
-    assert model.large is not None and joint.dilation_cutoff is not None
-    end = np.minimum(joint.dilation_cutoff, model.large.near.search.skin[0])
+    assert joint.dilation_cutoff is not None
+    end = np.minimum(joint.dilation_cutoff, large.near.search.skin[0])
     slid, opened = model.state.plastic_slip[own] >= end, model.state.opening_max[own] > joint.tan_dilation * end
     return np.asarray(slid | opened)
 
 
-def _hinges(model: Model) -> np.ndarray:
+def _hinges(model: Model, large: Large) -> np.ndarray:
     """(C,) which bonds press, and would break if they did not, between blocks that turned far against each other."""
-    assert model.large is not None
-    joints, frames, u = model.joints, model.large.bonds.frames, model.contacts.u[1:]
+    joints, frames, u = model.joints, large.bonds.frames, large.parted
     cosine = 0.5 * (np.einsum("cij,cij->c", frames[joints.block_a], frames[joints.block_b]) - 1.0)
     breaks = np.array([joint.tensile_strength is not None for joint in model.groups.properties], dtype=bool)
     pressed = np.einsum("ci,ci->c", u, model.contacts.normal) <= 0.0
     return np.asarray(breaks[model.group] & pressed & (cosine < np.cos(HINGE)))
 
 
-def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
+def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
     """What the bonds `which` carry, by the key (R,) of their two blocks."""
-    assert model.large is not None
     normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
     kn, ks = (
         np.array([getattr(joint, name) for joint in model.groups.properties])[model.group[which]]
@@ -129,7 +125,7 @@ def _carried(model: Model, key: np.ndarray, which: np.ndarray) -> dict[int, Carr
     pressed = np.bincount(of, np.minimum(along, 0.0) ** 2 / (2.0 * kn * area))
     sheared = np.bincount(of, np.divide(across, 2.0 * ks * area, out=np.zeros(len(ks)), where=ks > 0.0))
     total = np.zeros((len(pairs), 3))
-    np.add.at(total, of, model.large.bonds.force[which])
+    np.add.at(total, of, large.bonds.force[which])
     return {int(k): Carried(*one) for k, *one in zip(pairs, total, pressed, sheared, strict=True)}
 
 

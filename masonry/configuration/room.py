@@ -1,38 +1,18 @@
-"""Steps of large displacement: where a step lacks room for what blocks meet, it gets more and goes on."""
-
-from dataclasses import replace
+"""Room for what blocks meet: where a step lacks it, it gets more and goes on."""
 
 import numpy as np
 
-from masonry.configuration.chunk import Chunk
 from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
-from masonry.kernels.large_step import advance
+from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import NEED_PAIRS, PAIR, REASON, ROOM, TOO_DEEP, Near, no_points
 from masonry.patches.pairs import PatchPairs, copy_pairs, no_pairs
 
 
-def advance_large(model: Model, chunk: Chunk, first: int, steps: int, drive_force: np.ndarray) -> None:
-    """Take some compiled steps of a chunk, as advance_model. Raises Stopped where blocks overlap deeply at once."""
-    done = 0
-    groups, contacts, bodies, drives = model.step_arguments()
-    while done < steps or steps == 0:
-        assert model.large is not None
-        done += advance(
-            *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
-            *(groups, contacts, model.large.bonds, bodies, drives),
-            *(model.large.near, model.large.members, drive_force[done:]),
-        )
-        if done == steps:
-            return
-        make_room(model)
-
-
-def make_room(model: Model) -> None:
+def make_room(model: Model, large: Large) -> None:
     """Twice the room for pairs, or for the points of those that touch."""
-    assert model.large is not None
-    near, refusal = model.large.near, model.large.near.search.refusal
+    near, refusal = large.near, large.near.search.refusal
     if refusal[REASON] == TOO_DEEP:
         both = model.two_blocks(*near.pieces.block[near.pairs.body[refusal[PAIR]]])
         raise Stopped(
@@ -45,20 +25,20 @@ def make_room(model: Model) -> None:
         near.search.built[:] = -np.inf  # the search that found no room begins again
     else:
         near = _with_points(near, 2 * len(near.points.number))
-    model.large = replace(model.large, near=near)
+    large.near = near
 
 
-def make_room_for(model: Model, saved: dict[str, np.ndarray]) -> None:
+def make_room_for(large: Large, saved: dict[str, np.ndarray]) -> None:
     """As much room for pairs and points as a run had that was kept (model_state.state): more than there is, or less
     where a run goes back. What they hold is to be restored."""
-    if model.large is None or not {"pairs.slot", "points.number"} <= saved.keys():
+    if not {"pairs.slot", "points.number"} <= saved.keys():
         return
-    near, pairs, points = model.large.near, len(saved["pairs.slot"]), len(saved["points.number"])
+    near, pairs, points = large.near, len(saved["pairs.slot"]), len(saved["points.number"])
     if pairs != len(near.pairs.slot):
         near = _holding(near, no_pairs(pairs))
     if points != len(near.points.number):
         near = near._replace(points=no_points(points, near.points.feature.shape[1]))
-    model.large = replace(model.large, near=near)
+    large.near = near
 
 
 def _with_pairs(near: Near, room: int) -> Near:

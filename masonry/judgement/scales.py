@@ -58,7 +58,7 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
     rows = outcome.history.rows
     settled = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1
     before_fall = before_a_fall(rows, outcome.loading.falls) if scene.loops_over else rows
-    pushed, in_real_time = work_of_force(rows), model.large is not None and not model.scaled
+    pushed, in_real_time = work_of_force(rows), scene.is_large and not model.scaled
     work = float(np.abs(rows["external_work"]).max())
     moved = max(work, float(np.abs(outcome.found["work_of_loads"]).max(initial=0.0)))
     dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
@@ -77,7 +77,7 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
         taken=taken,
         dissipated=dissipated,
         lost=dissipated + max(taken, 0.0),
-        booked=max(abs(dissipated), LITTLE * work) if model.large is None else moved,  # what falls dissipates little
+        booked=moved if scene.is_large else max(abs(dissipated), LITTLE * work),  # what falls dissipates little
     )
 
 

@@ -194,8 +194,7 @@ def compiled(assembly: Assembly) -> list[str]:
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
     laws = []
     for g, (name, parameters) in enumerate(zip(m.group_names, m.groups.parameters, strict=True)):
-        patches = m.large is not None and g not in m.large.bonded
-        laws.append(f"{name}: {'friction in patches, found anew' if patches else f'{word_of(parameters)} law'}")
+        laws.append(f"{name}: {f'{word_of(parameters)} law' if g in m.swept else 'friction in patches, found anew'}")
     return [*names, *laws, damping_text(m.damping), "energy ledger"]
 
 

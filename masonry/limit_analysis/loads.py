@@ -155,7 +155,7 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     Blocks that may deform have no turns of their own to hold: there all that moves along an axis is held, and with it
     the turns about the two others.
     """
-    deforms = np.array([scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups])[specimen.blocks.group]
+    deforms = np.array([scene.deforms(g) for g in specimen.blocks.groups])[specimen.blocks.group]
     fixed = conditions.prescribed["rigid"].copy()
     fixed[:, 3:] = _rotations_about_axes(fixed[:, 3:], layout)
     for by in conditions.held_by.values():

@@ -45,7 +45,7 @@ def scene_remarks(scene: Scene, specimen: Specimen, joints: Joints, contacts: Co
         )
     if not strength:
         remarks.append("without cohesion and tension, with the friction that is left once they are gone")
-    if any(scene.kinematics_of(g) != "rigid" for g in specimen.blocks.groups):
+    if any(scene.deforms(g) for g in specimen.blocks.groups):
         remarks.append("every block is taken as rigid")
     if scene.scatter is not None:
         remarks.append("the scatter of strengths is left out: means count")

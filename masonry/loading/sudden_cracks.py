@@ -7,8 +7,7 @@ beyond where it comes to rest, and breaks there as well. So all such runs share 
 import numpy as np
 
 from masonry.configuration import energy
-from masonry.kinematics.turning import Turning
-from masonry.loading.moves.impulses import strike, velocities_of
+from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Events
 from masonry.rows.rest_criterion import BRAKED
@@ -98,20 +97,5 @@ class CrackWatch:
 def brake(model: Model, before: list[np.ndarray], left: float) -> None:
     """Leave a share of each free velocity: an impulse, booked as a force of the damping in this step, so that the
     energy balance stays closed."""
-    for (kind, body), old in zip(energy.present(model), before, strict=True):
-        if isinstance(body, Turning):
-            strike(model, kind, body, (left - 1.0) * body.v, velocities_of(body, old))
-            continue
-        impulse = (left - 1.0) * model.masses[kind] * body.v / model.dt
-        body.hold[...] += impulse
-        body.work[:, 1] += 0.5 * model.dt * _by_block(impulse * old, len(body.work))
-        body.v[...] = np.where(model.masses[kind] > 0.0, left * body.v, body.v)
-
-
-def _by_block(work: np.ndarray, blocks: int) -> np.ndarray:
-    """(B,) sums of a row each; nodes of tets are not told apart by block: the first account takes all of them."""
-    if len(work) == blocks:
-        return np.asarray(work.sum(axis=1))
-    accounts = np.zeros(blocks)
-    accounts[0] = work.sum()
-    return accounts
+    for part, old in zip(parts_of(model), before, strict=True):
+        part.brake(left, old)

@@ -4,9 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from masonry.configuration.energy import present
+from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
-from masonry.monitors.unrest import of_blocks
 from masonry.rows.rest_criterion import LONE
 
 STRETCH = 200
@@ -65,8 +64,8 @@ class SharedLoads:
     def _least(self, part: tuple[Any, np.ndarray, np.ndarray]) -> float:
         """The least of the same shares of the blocks of a kind that both act on; infinite where there are none."""
         body, rest, each = part
-        kind = next(kind for kind, one in present(self.model) if one is body)
-        stays, varies = (of_blocks(self.model, kind, np.abs(f[..., :3]).sum(axis=-1).T) for f in (rest, each))
+        bodies = next(one for one in parts_of(self.model) if one.body is body)
+        stays, varies = (bodies.sums(np.abs(f[..., :3]).sum(axis=-1).T) for f in (rest, each))
         both = (stays > 0.0)[:, None] & (varies > 0.0)
         return float(np.min(np.broadcast_to(stays[:, None], both.shape)[both] / varies[both], initial=np.inf))
 

@@ -10,6 +10,7 @@ from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
 from masonry.laws.state import ContactState, JointProperties, fresh
+from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
 from masonry.model.stable_step import BETWEEN
@@ -65,9 +66,9 @@ def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> t
         which = np.flatnonzero(kind == k)
         which = which[np.lexsort((code[which], row[which]))]
         start = np.searchsorted(row[which], np.arange(rows[name] + 1))
-        arms = arm[which] if name == "affine" else np.einsum("cij,cj->ci", axes[which], arm[which])
+        arms = KIND[name].local_arms(arm[which], axes[which])
         ordered[name] = start.astype(np.uint32), code[which].astype(np.uint32), np.ascontiguousarray(arms)
-        if name != "tets":
+        if not KIND[name].nodal:
             place[which] = first[name] + np.arange(len(which))
     between = np.flatnonzero(kind == BETWEEN)
     if len(between):

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout
 from masonry.model.model import Model
 
@@ -39,16 +40,13 @@ class Gauge:
 
     def read(self, model: Model) -> float:
         """m, now."""
-        kinds = [(kind, model.u if kind == "tets" else model.bodies[KINDS.index(kind)].q) for kind in self.terms]
-        return self.reading(dict(kinds), model.bodies.rigid.frame if self.turns(model) else None)
-
-    def turns(self, model: Model) -> bool:
-        """Whether it looks at rigid blocks that turn as far as they like."""
-        return model.large is not None and len(self.row) > 0
+        kinds = {kind: model.bodies[KINDS.index(kind)] for kind in self.terms}
+        moved = {kind: KIND[kind].displacements(body, model.u) for kind, body in kinds.items()}
+        return self.reading(moved, getattr(model.bodies.rigid, "frame", None))
 
     def reading(self, moved: dict[str, np.ndarray], frame: np.ndarray | None = None) -> float:
         """m, for dofs (rows, n) by kind of motion; frame (B, 3, 3): rotations of rigid blocks, where they are large."""
-        if frame is None:
+        if frame is None or not len(self.row):
             return self.along(moved)
         turned = float(np.einsum("nj,nj->", frame[self.row, self.axis] - np.eye(3)[self.axis], self.arm))
         return turned + self.along(moved | {"rigid": np.where(np.arange(6) < 3, moved["rigid"], 0.0)})
@@ -66,8 +64,9 @@ def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis:
     parts = [(at, sign), *([(relative_to, -sign)] if relative_to is not None else [])]
     terms = {}
     for kind in KINDS:
-        found = [_terms(layout, kind, place, axis, factor) for place, factor in parts]
-        row, column, weight = (np.concatenate([entry[k] for entry in found]) for k in range(3))
+        of_kind = _node_terms if KIND[kind].nodal else _block_terms
+        each = [of_kind(layout, kind, place, axis, factor) for place, factor in parts]
+        row, column, weight = (np.concatenate([entry[k] for entry in each]) for k in range(3))
         if len(row):
             terms[kind] = row.astype(np.int64), column.astype(np.int64), weight
     arms = [_arms(layout, "rigid", place, factor) for place, factor in parts]
@@ -82,16 +81,16 @@ def _arms(layout: Layout, kind: str, place: Place, factor: float) -> tuple[np.nd
     return block, place.point[own] - layout.centroid[block], factor * place.fraction[own]
 
 
-def _terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
-    """Rows, columns and weights of one place in the dofs of one kind: u = t + turn x arm, or u = t + H arm."""
-    if kind == "tets":
-        return place.node, np.full(len(place.node), axis), factor * place.node_fraction
+def _node_terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
+    """Rows, columns and weights of the nodes of one place."""
+    return place.node, np.full(len(place.node), axis), factor * place.node_fraction
+
+
+def _block_terms(layout: Layout, kind: str, place: Place, axis: int, factor: float) -> tuple[np.ndarray, ...]:
+    """Rows, columns and weights of one place in the dofs of blocks of a kind: u = t + turn x arm, or u = t + H arm."""
     block, arm, fraction = _arms(layout, kind, place, factor)
-    if kind == "rigid":
-        arm = np.cross(arm, np.eye(3)[axis])
-    local_arm = np.einsum("nij,ni->nj", layout.axes[block], arm)
-    first = 3 if kind == "rigid" else 3 + 3 * axis
+    first, by_dof = KIND[kind].gauge(layout.axes[block], arm, axis)
     row = np.repeat(layout.local[block], 4)
     column = np.tile([axis, first, first + 1, first + 2], len(block))
-    weight = fraction[:, None] * np.column_stack([np.ones(len(block)), local_arm])
+    weight = fraction[:, None] * np.column_stack([np.ones(len(block)), by_dof])
     return row, column, weight.ravel()

@@ -1,6 +1,7 @@
 """The blocks of a model sorted by how they move: which block is where, and what mass each dof has."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -36,6 +37,8 @@ class Layout:
     volume, centroid, moment  (B,), (B, 3), (B, 3) principal second moments of volume (m5)
     axes       (B, 3, 3) principal axes in columns
     mesh       tets, or None
+    owner      per kind, (rows,) the block that each row of dofs belongs to: of tets the rows are nodes
+    place      per kind, (rows, 3) m, where it is: centroids, or nodes
     """
 
     kind: np.ndarray
@@ -47,25 +50,34 @@ class Layout:
     axes: np.ndarray
     mesh: TetMesh | None
 
+    @cached_property
+    def owner(self) -> dict[str, np.ndarray]:
+        none = np.zeros(0, dtype=np.int64)
+        nodes = none if self.mesh is None else np.repeat(np.arange(len(self.kind)), np.diff(self.mesh.node_start))
+        return {"rigid": self.members["rigid"], "affine": self.members["affine"], "tets": nodes}
+
+    @cached_property
+    def place(self) -> dict[str, np.ndarray]:
+        nodes = np.zeros((0, 3)) if self.mesh is None else self.mesh.nodes
+        return {kind: self.centroid[self.members[kind]] for kind in ("rigid", "affine")} | {"tets": nodes}
+
     def rows(self, kind: str) -> int:
         """Rows of dofs of a kind: blocks, or nodes."""
-        if kind == "tets":
-            return 0 if self.mesh is None else len(self.mesh.nodes)
-        return len(self.members[kind])
+        return len(self.owner[kind])
 
-    def dof(self, kind: str, row: int, i: int) -> str:
-        """A dof in words, to blame it in a message."""
-        if kind == "tets":
-            assert self.mesh is not None
-            block = int(np.searchsorted(self.mesh.node_start, row, side="right") - 1)
-            place = self.mesh.nodes[row]
-            part = f"node {row} of block {block}"
-        else:
-            block = int(self.members[kind][row])
-            place = self.centroid[block]
-            part = f"{kind} block {block}"
-        what = f"movement along {'xyz'[i]}" if i < 3 else "rotation" if kind == "rigid" else "strain"
-        return f"{part} at ({place[0]:.4g}, {place[1]:.4g}, {place[2]:.4g}) m, {what}"
+    @property
+    def deforms(self) -> np.ndarray:
+        """(B,) which blocks are not rigid."""
+        return np.asarray(self.kind != KINDS.index("rigid"))
+
+    @property
+    def meshed(self) -> np.ndarray:
+        """(B,) which blocks are made of tets."""
+        return np.asarray(self.kind == KINDS.index("tets"))
+
+    def of_kind(self, chosen: np.ndarray, kind: str) -> np.ndarray:
+        """Those of some blocks (n,) that are of a kind."""
+        return chosen[self.kind[chosen] == KINDS.index(kind)]
 
 
 def lay_out(blocks: Blocks, kind_of_group: dict[str, str], mesh: TetMesh | None) -> Layout:

@@ -11,6 +11,7 @@ from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
+from masonry.model.kinds import dof_words
 from masonry.model.large.meeting import (
     Large,
     Meetings,
@@ -44,7 +45,13 @@ class Stepping:
 
 @dataclass
 class Model:
-    """All that a step reads and writes. See kernels/step.py for the meaning of groups, contacts, bodies, drives."""
+    """All that a step reads and writes. See kernels/step.py for the meaning of groups, contacts, bodies, drives.
+
+    u      displacements (m) of tet nodes, then of contact points
+    swept  contact groups whose law the step calls
+    alive  (C,) which contacts hold; patches take the place of those that do not
+    large  what there is besides in large displacement; configuration/configuration.py asks whether there is
+    """
 
     blocks: Blocks
     joints: Joints
@@ -63,6 +70,9 @@ class Model:
     bound: float
     limited_by: str
     cost: StepCost | None
+    u: np.ndarray
+    swept: tuple[int, ...]
+    alive: np.ndarray
     varying: list[dict[str, np.ndarray | None]]
     scaled: bool = True
     large: Large | None = None
@@ -70,23 +80,17 @@ class Model:
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
-        named ones break its threads. In large displacement patches replace the groups without strength."""
-        which = range(len(self.groups.parameters)) if self.large is None else self.large.bonded
-        return self.groups.swept(which), tuple(self.contacts), tuple(self.bodies), self.drives
+        named ones break its threads."""
+        return self.groups.swept(self.swept), tuple(self.contacts), tuple(self.bodies), self.drives
 
     @property
     def dofs(self) -> int:
         return sum(body.v.size for body in self.bodies if body is not None)
 
     @property
-    def u(self) -> np.ndarray:
-        """Displacements (m) of tet nodes, then of contact points; in large displacement contacts.u is along bonds."""
-        return self.contacts.u if self.large is None else self.large.bonds.u
-
-    @property
     def dry(self) -> bool:
         """Whether some contacts are patches, or will be where blocks that are apart meet: those show no stress."""
-        return self.large is not None and not (len(self.group) > 0 and bool(self.large.bonds.alive.all()))
+        return self.large is not None and not (len(self.group) > 0 and bool(self.alive.all()))
 
     def contact(self, c: int) -> str:
         """A contact in words, to blame it in a message."""
@@ -157,13 +161,13 @@ def build(
         sums = with_dashpots(sums, rates, real, stepping.damping)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
-    rows = {kind: layout.rows(kind) for kind in KINDS}
-    first = {"tets": 0, "rigid": rows["tets"]}
-    forms = np.concatenate([s.form for s in sides])
-    first["affine"] = first["rigid"] + int(np.sum(forms == KINDS.index("rigid")))
-    first["between"] = first["affine"] + int(np.sum(forms == KINDS.index("affine")))
+    rows, count = {kind: layout.rows(kind) for kind in KINDS}, np.zeros(stable_step.BETWEEN + 1, dtype=int)
+    np.add.at(count, np.concatenate([s.form for s in sides]), 1)
+    rigid, affine, _, between = (int(points) for points in count)
+    first = {"tets": 0, "rigid": rows["tets"], "affine": rows["tets"] + rigid}
+    first["between"] = first["affine"] + affine
     side_rows, ordered = number_sides(sides, first, rows)
-    u = in_rows(np.zeros((first["between"] + int(np.sum(forms == stable_step.BETWEEN)), 3)))
+    u = in_rows(np.zeros((first["between"] + between, 3)))
     bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
     state = initial_state(group, joint_properties)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
@@ -188,6 +192,9 @@ def build(
         bound=bound,
         limited_by=limited_by,
         cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
+        u=u,
+        swept=tuple(range(len(names))),
+        alive=np.ones(len(group), dtype=bool),
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
         motion=conditions.motion,
@@ -206,9 +213,8 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     without = np.array([not has_strength(joint) for joint in model.groups.properties], dtype=bool)
     dry = without[model.group]
     rows = np.column_stack([np.zeros(count), np.arange(1, count + 1)]).astype(np.uint32)
-    contacts = model.contacts._replace(
-        sides=aligned(rows), u=in_rows(np.zeros((count + 1, 3))), area=aligned(np.where(dry, 0.0, joints.area))
-    )
+    parted = in_rows(np.zeros((count + 1, 3)))
+    contacts = model.contacts._replace(sides=aligned(rows), u=parted, area=aligned(np.where(dry, 0.0, joints.area)))
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
     near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded)
     frames = near.motion.frame if members is None else near.motion.frame.copy()
@@ -221,7 +227,9 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
         contacts=contacts,
         groups=idle_where_dry(model.groups),
         bodies=bodies,
-        large=Large(bonds, tuple(np.flatnonzero(~without).tolist()), near, members),
+        swept=tuple(np.flatnonzero(~without).tolist()),
+        alive=bonds.alive,
+        large=Large(bonds, parted[1:], near, members),
     )
 
 
@@ -248,7 +256,7 @@ def _side(layout: Layout, joints: Joints, which: str) -> stable_step.Side:
         getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share")
     )
     kind = layout.kind[block]
-    row = np.where(kind == KINDS.index("tets"), node, layout.local[block])
+    row = np.where(layout.meshed[block], node, layout.local[block])
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
     return stable_step.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, fraction)
@@ -262,7 +270,7 @@ def _lame(blocks: Blocks, layout: Layout, materials: dict[str, Material]) -> np.
     """(B, 2) Pa, zero for rigid blocks."""
     lame = np.zeros((blocks.count, 2))
     for g, name in enumerate(blocks.groups):
-        which = (blocks.group == g) & (layout.kind != KINDS.index("rigid"))
+        which = (blocks.group == g) & layout.deforms
         if which.any():
             lame[which] = materials[name].lame()
     return lame
@@ -281,7 +289,7 @@ def _stepping(
             dt = stable_step.equation_11(layout, real, kn, stepping.step_fraction)
         elif not isinstance(stepping.time_step, str):
             dt = stepping.time_step
-        return real, dt, bound, layout.dof(kind, row, i) if kind else "nothing: nothing can move"
+        return real, dt, bound, dof_words(layout, kind, row, i) if kind else "nothing: nothing can move"
     dt = stable_step.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
     if not isinstance(stepping.time_step, str):
         dt = stepping.time_step

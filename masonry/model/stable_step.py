@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 
 CHUNK = 8192
@@ -46,17 +47,8 @@ class Side:
         if kind == BETWEEN:
             assert self.fraction is not None
             return np.einsum("cj,ik->cijk", self.fraction[which], np.eye(3)).reshape(len(which), 3, 9)
-        if KINDS[kind] == "tets":
-            return identity
-        if KINDS[kind] == "affine":
-            arm = self.arm[which] / self.length[which]
-            strain = np.einsum("im,ck->cimk", np.eye(3), arm).reshape(len(which), 3, 9)
-            return np.concatenate([identity, strain], axis=2)
-        axes = self.axes[which]
-        local_arm = np.einsum("cij,cj->ci", axes, self.arm[which])
-        rotation = np.cross(axes.transpose(0, 2, 1), local_arm[:, None, :]).transpose(0, 2, 1)
-        rotation = rotation / across(self.length[which])[:, None]
-        return np.concatenate([identity, rotation], axis=2)
+        beyond = KIND[KINDS[kind]].columns(self.arm[which], self.axes[which], self.length[which])
+        return np.concatenate([identity, beyond], axis=2)
 
 
 def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:
@@ -64,12 +56,6 @@ def lengths(layout: Layout, block: np.ndarray, arm: np.ndarray) -> np.ndarray:
     count = np.bincount(block, minlength=len(layout.kind))[:, None]
     square = np.column_stack([np.bincount(block, arm[:, k] ** 2, minlength=len(layout.kind)) for k in range(3)])
     return np.sqrt(np.maximum(square / np.maximum(count, 1), layout.moment / layout.volume[:, None]))
-
-
-def across(length: np.ndarray) -> np.ndarray:
-    """(n, 3) m: for each axis, the radius of gyration about it, from those along the two others."""
-    square = length**2
-    return np.sqrt(square.sum(axis=1, keepdims=True) - square)
 
 
 def contact_row_sums(
@@ -142,8 +128,7 @@ def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> 
         rows = sums[kind]
         if len(rows):
             np.maximum(rows, SOFTEST * rows.max(axis=1, keepdims=True), out=rows)
-            own = length[layout.members[kind]]
-            rows[:, 3:] *= across(own) ** 2 if kind == "rigid" else np.tile(own, 3) ** 2
+            rows[:, 3:] *= KIND[kind].lengths(length[layout.members[kind]]) ** 2
     if len(sums["tets"]):
         np.maximum(sums["tets"], SOFTEST * sums["tets"].max(), out=sums["tets"])
 

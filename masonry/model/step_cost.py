@@ -27,7 +27,7 @@ def step_cost(
     """
     mass, stiffness, worst = (np.zeros(len(layout.kind)) for _ in range(3))
     for kind in KINDS:
-        block = _block_of_row(layout, kind)
+        block = layout.owner[kind]
         mass += np.bincount(block, (real[kind] * free[kind])[:, :3].sum(axis=1), len(mass))
         stiffness += np.bincount(block, (sums[kind] * free[kind])[:, :3].sum(axis=1), len(mass))
         ratio = np.where(free[kind], sums[kind] / real[kind], 0.0).max(axis=1, initial=0.0)
@@ -52,11 +52,3 @@ def step_cost(
     mended = np.minimum(k, m * np.median(k / m))
     blame = int(np.argmax(without))
     return StepCost(int(moving[blame]), float(np.sqrt(without[blame])), float(np.sqrt(k.sum() / mended.sum())))
-
-
-def _block_of_row(layout: Layout, kind: str) -> np.ndarray:
-    if kind != "tets":
-        return layout.members[kind]
-    if layout.mesh is None:
-        return np.zeros(0, dtype=np.int64)
-    return np.repeat(np.arange(len(layout.kind)), np.diff(layout.mesh.node_start))

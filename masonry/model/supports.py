@@ -32,8 +32,8 @@ def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarra
     masks = no_conditions(layout).prescribed
     if hold.faces is not None:
         return _held_faces(blocks, layout, hold, masks)
-    rigid = layout.local[hold.blocks[layout.kind[hold.blocks] == KINDS.index("rigid")]]
-    affine = layout.local[hold.blocks[layout.kind[hold.blocks] == KINDS.index("affine")]]
+    rigid = layout.local[layout.of_kind(hold.blocks, "rigid")]
+    affine = layout.local[layout.of_kind(hold.blocks, "affine")]
     for axis in hold.axes:
         masks["rigid"][rigid, axis] = True
         masks["affine"][affine, axis] = True
@@ -41,7 +41,7 @@ def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarra
     if set(hold.rotations) == {0, 1, 2}:
         masks["rigid"][rigid, 3:] = True
     else:
-        for block in hold.blocks[layout.kind[hold.blocks] == KINDS.index("rigid")] if hold.rotations else ():
+        for block in layout.of_kind(hold.blocks, "rigid") if hold.rotations else ():
             masks["rigid"][
                 layout.local[block], [_rotation_dof(layout, block, k, hold.name) for k in hold.rotations]
             ] = True
@@ -64,7 +64,7 @@ def _held_faces(blocks: Blocks, layout: Layout, hold: Hold, masks: dict[str, np.
             )
         if kind == "rigid":
             _hold_rigid_face(masks["rigid"][layout.local[face_owner]], hold, n, layout, int(face_owner))
-    meshed = hold.faces[layout.kind[owner] == KINDS.index("tets")]
+    meshed = hold.faces[layout.meshed[owner]]
     if layout.mesh is not None and len(meshed):
         nodes, _ = surface_nodes(layout.mesh, blocks, meshed)
         for axis in hold.axes:

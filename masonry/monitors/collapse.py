@@ -6,12 +6,12 @@ import numpy as np
 
 from geometry.polyhedra.measures import bounds, widths
 from geometry.specimens.placed import FLOOR
-from masonry.configuration.energy import present
+from masonry.configuration.configuration import configuration_of
+from masonry.configuration.parts.parts import parts_of
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.openings import thinner
-from masonry.patches.press import deepest
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
@@ -35,27 +35,24 @@ class Collapse(Observer):
         self.energies: dict[str, float] = {}
         low, _ = bounds(model.blocks)
         self.width = widths(model.blocks)
-        self.extent = thinner(model) if model.large is not None and model.large.bonded else np.zeros(0)
+        self.extent = thinner(model) if model.swept else np.zeros(0)
+        self.configuration = configuration_of(model)
         floor = np.array([group == FLOOR for group in model.blocks.groups])[model.blocks.group]
         self.underside = low[floor, 2].min(initial=np.inf) if floor.any() else -np.inf
         self.free = np.zeros(model.blocks.count, dtype=bool)
-        for kind, body in present(model):
-            free = body.dt_over_mass[:, :3].any(axis=1)
-            self.free[model.layout.members[kind]] = free if kind != "tets" else self._of_nodes(model, free) > 0.0
+        for part in parts_of(model):
+            self.free[part.blocks] = part.sums(part.free[:, :3].any(axis=1).astype(float)) > 0.0
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        assert model.large is not None
         if self.block < 0:
             drop, carried = np.zeros(len(self.width)), 0.0
-            for kind, body in present(model):
-                if body.load is not None:
-                    weight, moved = body.load[:, :3], model.u[: len(body.v)] if kind == "tets" else body.q[:, :3]
-                    if kind == "tets":
-                        weight, moved = self._of_nodes(model, weight), self._of_nodes(model, moved, mean=True)
+            for part in parts_of(model):
+                if part.body.load is not None:
+                    weight, moved = part.sums(part.body.load[:, :3]), part.mean(part.displacements[:, :3])
                     down = weight / np.maximum(np.linalg.norm(weight, axis=1), 1e-300)[:, None]
-                    drop[model.layout.members[kind]] = np.einsum("bi,bi->b", down, moved)
-                    if kind != "tets":  # what a drive or a support lets down, and what stands on it, has not fallen
-                        led = np.where(body.dt_over_mass[:, :3] == 0.0, down * moved, 0.0).sum(axis=1)
+                    drop[part.blocks] = np.einsum("bi,bi->b", down, moved)
+                    if not part.kind.nodal:  # what a drive or a support lets down, and what it bears, has not fallen
+                        led = np.where(part.free[:, :3], 0.0, down * moved).sum(axis=1)
                         carried = max(carried, float(led.max(initial=0.0)))
             drop = np.where(self.free, (drop - carried) / self.width, 0.0)
             if drop.max(initial=0.0) > DROPPED:
@@ -64,45 +61,31 @@ class Collapse(Observer):
         if self.underside > -np.inf:
             self._look_below(model, step)
         opening, overlap = view.seen.opening, self._overlap(model, step)
-        if model.large.bonded:
-            closed = np.where(model.large.bonds.alive, -opening / self.extent, 0.0)
+        if model.swept:
+            closed = np.where(model.alive, -opening / self.extent, 0.0)
             overlap = max(overlap, float(closed.max(initial=0.0)))
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:
         """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half."""
-        assert model.large is not None
-        near = model.large.near
-        overlap, pair = deepest(near, self.width[near.pieces.block])
+        overlap, pair = self.configuration.deepest(self.width)
         if overlap > THROUGH:
-            both = model.two_blocks(*near.pieces.block[near.pairs.body[pair]])
+            both = model.two_blocks(*pair)
             raise Stopped(
                 f"step {step}: {both} overlap by {overlap:.2g} of the width of the thinner one; beyond "
                 "half of it one leaves the other on the far side. The normal stiffness of their contact is too low for "
                 "their speed or load"
             )
-        return float(overlap)
+        return overlap
 
     def _look_below(self, model: Model, step: int) -> None:
         height = model.layout.centroid[:, 2].copy()
-        for kind, body in present(model):
-            moved = self._of_nodes(model, model.u[: len(body.v)], mean=True) if kind == "tets" else body.q
-            height[model.layout.members[kind]] += moved[:, 2]
+        for part in parts_of(model):
+            height[part.blocks] += part.mean(part.displacements)[:, 2]
         below = self.free & (height < self.underside)
         self.left = int(below.sum())
         if self.first_left < 0 and self.left:
             self.first_left, self.time_left = int(below.argmax()), step * model.dt
-
-    def _of_nodes(self, model: Model, values: np.ndarray, mean: bool = False) -> np.ndarray:
-        """Sums, or means, over the nodes of each meshed block."""
-        assert model.layout.mesh is not None
-        start = model.layout.mesh.node_start
-        own = np.repeat(np.arange(model.blocks.count), np.diff(start))
-        found = np.zeros((model.blocks.count, *values.shape[1:]))
-        np.add.at(found, own, values)
-        which = model.layout.members["tets"]
-        count = np.diff(start)[which].reshape(-1, *[1] * (values.ndim - 1))
-        return np.asarray(found[which] / count if mean else found[which])
 
     def found(self) -> dict[str, Any]:
         fallen = None if self.block < 0 else (self.block, self.step, self.energies)

@@ -3,33 +3,29 @@
 import numpy as np
 
 from geometry.blocks import Blocks
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Observation
-from masonry.configuration.joint_forces import forces_on_blocks
+from masonry.configuration.parts.parts import parts_of
 from masonry.model.layout import KINDS
 from masonry.model.model import Model
 from masonry.rows.history import Frame
 
 PAIRS = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
 """xx yy zz yz xz xy"""
-NEXT, AFTER = [1, 2, 0], [2, 0, 1]
-"""Of x, y and z: what a cross product takes of its factors."""
 
 
 class Frames:
     """Takes frames of a model; what does not change is found once."""
 
     def __init__(self, model: Model) -> None:
-        blocks, joints, layout = model.blocks, model.joints, model.layout
+        blocks, layout = model.blocks, model.layout
         self.model = model
         block = block_of_points(blocks)
-        self.points = [np.flatnonzero(layout.kind[block] == k) for k in range(len(KINDS))]
+        self.points = {kind: np.flatnonzero(layout.kind[block] == k) for k, kind in enumerate(KINDS)}
         self.row = layout.local[block]
-        self.arm, self.axes = blocks.points - layout.centroid[block], layout.axes[block[self.points[1]]]
-        rigid = self.arm[self.points[0]]
-        self.across = np.ascontiguousarray(rigid[:, AFTER]), np.ascontiguousarray(rigid[:, NEXT])
+        self.arm = blocks.points - layout.centroid[block]
         self.nearest = nearest_nodes(model)
-        self.sides = np.concatenate([joints.block_a, joints.block_b])
-        self.to_point = (np.concatenate([joints.point, joints.point]) - layout.centroid[self.sides]).T.copy()
+        self.configuration = configuration_of(model)
 
     def take(self, view: Observation, force: np.ndarray, step: int, displacement: float) -> Frame:
         """The specimen now; force (C, 3) N of the contacts on their side a (JointForces)."""
@@ -38,8 +34,8 @@ class Frames:
         stress, sigma, tau = view.stress.copy(), seen.sigma.copy(), seen.tau.copy()
         if model.bodies.rigid is not None:
             stress[model.layout.members["rigid"]] = self.contact_stress()
-        if model.large is not None:
-            gone, joints = ~model.large.bonds.alive, model.joints
+        gone, joints = ~model.alive, model.joints
+        if gone.any():
             along = np.einsum("ci,ci->c", force, joints.normal)
             across = np.linalg.norm(force - along[:, None] * joints.normal, axis=1)
             sigma[gone], tau[gone] = (along / joints.area)[gone], (across / joints.area)[gone]
@@ -62,26 +58,13 @@ class Frames:
         """(P, 3) m, displacements of the corners of the blocks: exact for rigid and affine ones, of tets those of the
         nearest node."""
         moved = np.zeros_like(self.arm)
-        rigid, affine, _ = self.model.bodies
-        if rigid is not None and self.model.large is not None:
-            p = self.points[0]
-            row = self.row[p]
-            moved[p] = rigid.q[:, :3][row] + np.einsum("cij,cj->ci", rigid.frame[row] - np.eye(3), self.arm[p])
-        elif rigid is not None:
-            p, (arm_after, arm_next) = self.points[0], self.across
-            row = self.row[p]
-            rotation = np.einsum(
-                "bij,bj->bi", self.model.layout.axes[self.model.layout.members["rigid"]], rigid.q[:, 3:]
-            )
-            by_rotation = rotation[:, NEXT][row] * arm_after - rotation[:, AFTER][row] * arm_next
-            moved[p] = rigid.q[:, :3][row] + by_rotation
-        if affine is not None:
-            p = self.points[1]
-            h = affine.q[self.row[p], 3:].reshape(-1, 3, 3)
-            moved[p] = affine.q[self.row[p], :3] + np.einsum("cij,ckj,ck->ci", h, self.axes, self.arm[p])
-        if self.nearest is not None:
-            p = self.points[2]
-            moved[p] = self.model.u[self.nearest[p]]
+        for part in parts_of(self.model):
+            p = self.points[part.name]
+            if part.kind.nodal:
+                assert self.nearest is not None
+                moved[p] = self.model.u[self.nearest[p]]
+            else:
+                moved[p] = part.moved_corners(self.row[p], self.arm[p])
         return moved
 
     def contact_stress(self) -> np.ndarray:
@@ -94,11 +77,7 @@ class Frames:
         layout, which = self.model.layout, self.model.layout.members["rigid"]
         free = np.zeros(layout.volume.shape)
         free[which[(self.model.bodies.rigid.dt_over_mass > 0.0).all(axis=1)]] = 1.0
-        if self.model.large is None:
-            sides, arm = self.sides, self.to_point
-            force = np.concatenate([self.model.contacts.force, -self.model.contacts.force]).T.copy()
-        else:
-            sides, force, arm = forces_on_blocks(self.model)
+        sides, force, arm = self.configuration.forces_on_blocks()
         sums = [0.5 * np.bincount(sides, force[i] * arm[j] + force[j] * arm[i], len(free)) for i, j in PAIRS]
         stress: np.ndarray = np.stack(sums, axis=1)[which] * (free / layout.volume)[which, None]
         return stress

@@ -2,20 +2,17 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from math import sqrt
 from typing import Any
 
 import numpy as np
 
-from masonry.configuration.energy import present
-from masonry.model.layout import DOFS, KINDS, Layout
+from masonry.configuration.parts.parts import parts_of
+from masonry.model.layout import KINDS
 from masonry.model.loads import Conditions
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT = slice(0, 3), slice(3, 6)
-ROUNDED = 1e-6
-"""Of the momentum over a time step: forces below are measured by it. Rounding makes 1e-16 of it."""
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -76,39 +73,35 @@ class Surroundings:
     ) -> Standing:
         """The forces now; `before`: velocities one step earlier; force (C, 3) N of the contacts on their side a;
         `load_factors` of the loads that act."""
-        layout = model.layout
-        bodies, large = dict(present(model)), large_bodies(model)
+        parts = {part.name: part for part in parts_of(model)}
         held = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
-                held[k] += resultant(layout, kind, rows, mask * bodies[kind].hold[rows], large.get(kind))
-        loads = self.resultants(layout, load_factors, large)
+                held[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
+        loads = self.resultants(model, load_factors)
         return Standing(step, displacement, held, loads, *of_motion(model, before), force)
 
-    def resultants(self, layout: Layout, load_factors: list[float], large: dict[str, Any] | None = None) -> np.ndarray:
-        """(L, 6) of the loads at their factors; where blocks are now that turn as far as they like (large_bodies)."""
-        found = np.zeros((len(self.loads), 6))
+    def resultants(self, model: Model, load_factors: list[float]) -> np.ndarray:
+        """(L, 6) of the loads at their factors, where blocks are now."""
+        acting, parts = np.zeros((len(self.loads), 6)), {part.name: part for part in parts_of(model)}
         for k, (one, load_factor) in enumerate(zip(self.loads, load_factors, strict=True)):
             for kind, (rows, load) in one.parts.items():
-                body = (large or {}).get(kind)
-                acts = load if body is None or kind != "rigid" else globally(layout, rows, load)
-                found[k] += load_factor * resultant(layout, kind, rows, acts, body)
-        return found
+                acting[k] += load_factor * parts[kind].resultant(rows, parts[kind].load(rows, load))
+        return acting
 
-    def along(self, layout: Layout, axis: int | None) -> np.ndarray:
+    def along(self, model: Model, axis: int | None) -> np.ndarray:
         """(L,) N: the force of each load along an axis at a factor of 1; none without an axis."""
         count = len(self.loads)
-        return np.zeros(count) if axis is None else self.resultants(layout, [1.0] * count)[:, axis]
+        return np.zeros(count) if axis is None else self.resultants(model, [1.0] * count)[:, axis]
 
     def moved(self, model: Model) -> np.ndarray:
         """(L,) J: what each load at a factor of 1 would have done on the way to where the specimen stands."""
-        bodies = dict(present(model))
-        found = np.zeros(len(self.loads))
+        displacements = {part.name: part.displacements for part in parts_of(model)}
+        work = np.zeros(len(self.loads))
         for k, one in enumerate(self.loads):
             for kind, (rows, load) in one.parts.items():
-                displacements = model.u[: len(bodies[kind].v)] if kind == "tets" else bodies[kind].q
-                found[k] += float(np.sum(load * displacements[rows]))
-        return found
+                work[k] += float(np.sum(load * displacements[kind][rows]))
+        return work
 
 
 def _parts(values: dict[str, np.ndarray] | dict[str, np.ndarray | None]) -> Parts:
@@ -127,55 +120,11 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     reactions, loads, damping and inertia add up to 0 at every step, at rest or not. `before`: velocities a step ago.
     """
     damping, inertia = np.zeros(6), np.zeros(6)
-    for (kind, body), old in zip(present(model), before, strict=True):
-        masses, rows, large = model.masses[kind], np.arange(len(body.v)), large_bodies(model).get(kind)
-        gained = masses * (body.v - old)
-        if large is not None and kind == "rigid":
-            gained[:, 3:] = body.momentum - old[:, 3:]
-        damping += resultant(model.layout, kind, rows, np.where(body.dt_over_mass > 0.0, body.hold, 0.0), large)
-        inertia -= resultant(model.layout, kind, rows, gained / model.dt, large)
+    for part, old in zip(parts_of(model), before, strict=True):
+        rows = np.arange(len(part.body.v))
+        damping += part.resultant(rows, np.where(part.free, part.body.hold, 0.0))
+        inertia -= part.resultant(rows, part.gained(old) / model.dt)
     return damping, inertia
-
-
-def large_bodies(model: Model) -> dict[str, Any]:
-    """The bodies by kind where they turn and deform as far as they like, of tets the displacements of their nodes;
-    nothing where displacements are small."""
-    return {} if model.large is None else dict(present(model)) | {"tets": model.u}
-
-
-def globally(layout: Layout, rows: np.ndarray, load: np.ndarray) -> np.ndarray:
-    """Loads (n, 6) on rigid blocks with moments about x, y, z, from those about their principal axes at the start."""
-    axes = layout.axes[layout.members["rigid"][rows]]
-    return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", axes, load[:, 3:])])
-
-
-def resultant(layout: Layout, kind: str, rows: np.ndarray, forces: np.ndarray, large: Any = None) -> np.ndarray:
-    """(6,) force (N) and moment (N m) about the origin of generalised forces (n, dofs) on rows of a kind.
-
-    The arms are those before loading, as everywhere in a model of small rotations; those now where there is a `large`
-    body.
-    """
-    if large is not None and kind == "rigid":
-        place = layout.centroid[layout.members["rigid"][rows]] + large.q[rows, :3]
-        moment = forces[:, 3:] + np.cross(place, forces[:, :3])
-        return np.concatenate([forces[:, :3].sum(axis=0), moment.sum(axis=0)])
-    assert forces.shape[1] == DOFS[kind]
-    force = forces[:, :3]
-    if kind == "tets":
-        assert layout.mesh is not None
-        node = layout.mesh.nodes[rows] if large is None else layout.mesh.nodes[rows] + large[rows]
-        return np.concatenate([force.sum(axis=0), np.cross(node, force).sum(axis=0)])
-    block = layout.members[kind][rows]
-    axes, place = layout.axes[block], layout.centroid[block]
-    if large is not None:
-        axes, place = large.frame[rows] @ axes, place + large.q[rows, :3]
-    if kind == "rigid":
-        own = np.einsum("bij,bj->bi", axes, forces[:, 3:])
-    else:  # first moments, force times arm along the axes of the block, or what they have become
-        t = np.einsum("bik,bjk->bij", forces[:, 3:].reshape(-1, 3, 3), axes)
-        own = np.column_stack([t[:, 2, 1] - t[:, 1, 2], t[:, 0, 2] - t[:, 2, 0], t[:, 1, 0] - t[:, 0, 1]])
-    moment = own + np.cross(place, force)
-    return np.concatenate([force.sum(axis=0), moment.sum(axis=0)])
 
 
 class WorkOfLoads(Observer):
@@ -222,15 +171,6 @@ def open_by(standings: Collection[Standing], size: float, least: float = 0.0) ->
     """
     left = max((_largest(_all(one).sum(axis=0), size) for one in standings), default=0.0)
     return left / max(_scale(standings, size), least)
-
-
-def rounded(model: Model, kinetic: float) -> float:
-    """N, in large displacement: forces below tell of the rounding of velocities alone; 0 where displacements are small.
-    kinetic: the largest energy (J)."""
-    if model.large is None:
-        return 0.0
-    mass = sum(float(of_kind[:, 0].sum()) for of_kind in model.masses.values())
-    return ROUNDED * sqrt(2.0 * mass * max(kinetic, 0.0)) / model.dt
 
 
 def moved_by(standing: Standing, standings: Collection[Standing], size: float) -> float:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.configuration.energy import present
+from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.unrest import EachBlock
@@ -75,8 +75,9 @@ class Moving(Observer):
 def unbalanced(model: Model, before: list[np.ndarray]) -> float:
     """Sum of |force that accelerates| over the sum of |dead load| on the free movements; 0 without dead loads."""
     force = load = 0.0
-    for (kind, body), old in zip(present(model), before, strict=True):
+    for part, old in zip(parts_of(model), before, strict=True):
+        body = part.body
         if body.load is not None:
-            load += float(np.abs(body.load[:, :3])[body.dt_over_mass[:, :3] > 0.0].sum())
-        force += float(np.abs(model.masses[kind] * (body.v - old))[:, :3].sum()) / model.dt
+            load += float(np.abs(body.load[:, :3])[part.free[:, :3]].sum())
+        force += float(np.abs(part.masses * (body.v - old))[:, :3].sum()) / model.dt
     return force / load if load > 0.0 else 0.0

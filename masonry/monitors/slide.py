@@ -28,12 +28,13 @@ class Slide(Observer):
 
     REMEMBERED = ("largest",)
 
-    def __init__(self, model: Model, limit: float = inf) -> None:
+    def __init__(self, model: Model, limit: float = inf, rollers: bool = True) -> None:
+        """limit: of the slip over the extent, from which on a run stops; rollers: whether these may slide freely"""
         self.limit = limit
         self.largest = 0.0
         self.axes, self.extent = joint_extents(model.blocks, model.joints)
         self.least = self.extent.min(axis=1, initial=np.inf)
-        sticks = [model.large is not None or not is_roller(joint) for joint in model.groups.properties]
+        sticks = [not (rollers and is_roller(joint)) for joint in model.groups.properties]
         glued = [joint.tensile_strength is None for joint in model.groups.properties]
         self.glued = np.array(glued, dtype=bool)[model.group]
         self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further

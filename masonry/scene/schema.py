@@ -61,6 +61,14 @@ class SceneData(Table):
         """ "rigid", "affine" or "tets": how the blocks of a group move."""
         return self.kinematics.get(group, "rigid" if self.is_floor(group) else self.kinematics["default"])
 
+    def deforms(self, group: str) -> bool:
+        """Whether the blocks of a group are not rigid."""
+        return self.kinematics_of(group) != "rigid"
+
+    def is_meshed(self, group: str) -> bool:
+        """Whether the blocks of a group are made of tets."""
+        return self.kinematics_of(group) == "tets"
+
     def is_floor(self, group: str) -> bool:
         """Whether a group of blocks is the floor that the scene lays below its specimen."""
         return self.floor is not None and group == "floor"
@@ -196,15 +204,15 @@ class SceneData(Table):
             raise KeyedError("gauge", "missing; the loops of limit.history are drawn over one: give a table [[gauge]]")
 
     def _kinematics_have_what_they_need(self) -> None:
-        if self.kinematics_of("floor") != "rigid" and self.is_floor("floor") and "floor" not in self.material:
+        if self.deforms("floor") and self.is_floor("floor") and "floor" not in self.material:
             raise KeyedError("kinematics.floor", "a floor that is not rigid needs its own table [material.floor]")
         for group, material in self.material.items():
-            motion = self.kinematics_of(group)
             for key in ("young_modulus", "poisson_ratio"):
-                if motion != "rigid" and getattr(material, key) is None:
+                if self.deforms(group) and getattr(material, key) is None:
+                    motion = self.kinematics_of(group)
                     raise KeyedError(f"material.{group}.{key}", f"missing; kinematics '{motion}' of {group} needs it")
             sized = self.specimen.mesh == "fan" or self.specimen.mesh_size is not None
-            if motion == "tets" and not sized and self.specimen.kind != "file":
+            if self.is_meshed(group) and not sized and self.specimen.kind != "file":
                 raise KeyedError(
                     "specimen.mesh_size",
                     f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'",

@@ -6,9 +6,8 @@ import numpy as np
 
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
-from masonry.configuration.room import advance_large
+from masonry.configuration.configuration import configuration_of
 from masonry.jit.compiler import is_kept, kind_of, once
-from masonry.kernels.step import advance
 from masonry.model.model import Model
 from masonry.monitors.collisions.collision import compile_look
 from masonry.runtime.interrupts import interruptible_wait
@@ -22,9 +21,10 @@ def compile_for(model: Model, threads: int) -> None:
     """
 
     def compile_step() -> None:
-        advance_model(model, Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
+        configuration = configuration_of(model)
+        configuration.advance(Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
-        if model.large is None:
+        if not configuration.any_size:
             compile_look(model)
 
     with once(_kind(model, threads)):
@@ -46,17 +46,4 @@ def _kind(model: Model, threads: int) -> str:
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
     """Take some compiled steps of a chunk; drive_force (steps,) N out, after each."""
-    if model.large is not None:
-        advance_large(model, chunk, first, steps, drive_force)
-        return
-    advance(
-        True if threads > 1 else None,
-        first,
-        steps,
-        model.dt,
-        model.damping,
-        chunk.dead_load,
-        chunk.speed,
-        *model.step_arguments(),
-        drive_force,
-    )
+    configuration_of(model).advance(chunk, threads, first, steps, drive_force)

@@ -8,19 +8,18 @@ import numpy as np
 
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
-from masonry.configuration.joint_forces import JointForces
-from masonry.configuration.retirement import retire
+from masonry.configuration.configuration import configuration_of
+from masonry.configuration.setting_off import set_off
 from masonry.errors import TurnedTooFar
 from masonry.kernels.step import reaction
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
-from masonry.model.motion import set_off
 from masonry.monitors.collapse import Collapse
 from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
-from masonry.rows.columns import FACTOR, LARGE_UNITS, UNITS
+from masonry.rows.columns import FACTOR, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
 from masonry.runtime.state import State, attributes, load_attributes
@@ -53,14 +52,14 @@ class Loop:
         self.threads, self.outcome = threads, outcome
         self.place = self.dead_load_factor = 0.0
         self.done = self.frames_done = 0
-        large = () if model.large is None else LARGE_UNITS
+        self.configuration = configuration_of(model)
         gauges = (gauge.name for gauge in recording.gauges)
-        self.rows: Columns = {key: [] for key in (*UNITS, *large, *loading.columns(), *gauges)}
+        self.rows: Columns = {key: [] for key in (*UNITS, *self.configuration.columns, *loading.columns(), *gauges)}
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {"watch": self.watch, **observers_of(model, recording)}
-        self.loads_along = recording.surroundings.along(model.layout, recording.axis)
-        self.camera, self.joint_forces = Frames(model), JointForces(model)
+        self.loads_along = recording.surroundings.along(model, recording.axis)
+        self.camera = Frames(model)
         self.frames: list[Frame] = []
         self.near_peak: list[tuple[float, Frame, Standing]] = []
         self.heights = np.zeros((0, 2))
@@ -93,8 +92,7 @@ class Loop:
         frame_due = now * self.recording.frames >= (self.frames_done + 1) * whole or now == whole
         self.frames_done = now * self.recording.frames // whole
         self.take_row(self.done, before, frame_due)
-        if self.model.large is not None:
-            retire(self.model)
+        self.configuration.after_row()
         self.outcome.steps = self.done
         if progress is not None:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
@@ -201,7 +199,7 @@ class Loop:
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
         higher = stood and row["stress"] > self.highest_row and step >= max(self.settle, 1)
         if frame_due or higher:
-            place, borne = row["displacement"], self.joint_forces.take()
+            place, borne = row["displacement"], self.configuration.joint_forces()
             standing = self.recording.surroundings.standing(model, before, borne, step, place, load_factors)
             frame = self.camera.take(now, borne, step, place)
             if frame_due:

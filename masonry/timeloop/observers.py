@@ -1,5 +1,6 @@
 """What observes a run at its rows, by the names under which a checkpoint keeps it."""
 
+from masonry.configuration.configuration import configuration_of
 from masonry.model.large.stable_step import STRETCH
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse, Deformation
@@ -18,7 +19,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     driven = any(drive is not None for drive in model.drives)
     moving = {} if driven or not model.scaled else {"moving": Moving(model)}
     return {
-        **(small_limits(model, recording) if model.large is None else large_looks(model)),
+        **(large_looks(model) if configuration_of(model).any_size else small_limits(model, recording)),
         "settling": Settling(model),
         **moving,
         "law_area": LawArea(model),
@@ -28,9 +29,8 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
 
 def large_looks(model: Model) -> dict[str, Observer]:
     """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
-    assert model.large is not None
-    slide = {"slide": Slide(model)} if model.large.bonded else {}
-    deforms = {} if model.large.members is None else {"deformation": Deformation(STRETCH)}
+    slide = {"slide": Slide(model, rollers=False)} if model.swept else {}
+    deforms = {"deformation": Deformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
     return {**slide, "collapse": Collapse(model), **deforms}
 
 

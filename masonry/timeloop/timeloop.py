@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numba
 
 from geometry.jit_cache import NOT_KEPT
+from masonry.configuration.configuration import configuration_of
 from masonry.errors import SceneError, Stopped
 from masonry.laws.dispatch import word_of
 from masonry.loading.plan import Plan
@@ -70,8 +71,8 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
 def compiling_text(model: Model) -> str:
     """What is compiled: the kinds of blocks and the laws that are in it, of what may meet friction."""
     blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
-    large, all_laws = model.large, [word_of(parameters) for parameters in model.groups.parameters]
-    words = all_laws if large is None else [*(all_laws[g] for g in large.bonded), "friction"]
+    words = [word_of(model.groups.parameters[g]) for g in model.swept]
+    words += ["friction"] if configuration_of(model).any_size else []
     laws = ", ".join(dict.fromkeys(words))
     return f"compiling the step for {blocks} blocks, law {laws or 'none'} (once for all such scenes, half a minute)"
 

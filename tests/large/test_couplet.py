@@ -6,10 +6,8 @@ import numpy as np
 import pytest
 
 from masonry import scene
-from masonry.configuration import room as large_motion
+from masonry.configuration import large
 from masonry.laboratory import laboratory
-from masonry.monitors import collapse
-from masonry.patches import press
 
 BASE = {"drive.displacement": "0.4 mm", "settle.steps": 3000, "specimen.contact_points": "vertex"}
 BASE |= {"specimen.points_per_edge": 2}
@@ -51,7 +49,7 @@ def test_small_displacement_calls_nothing_of_large_displacement(monkeypatch):
     def refuse(*_):
         raise AssertionError("compiled for large displacement only")
 
-    for module, name in ((large_motion, "advance"), (press, "stored_energy"), (collapse, "deepest")):
+    for module, name in ((large, "advance"), (large, "stored_energy"), (large, "deepest")):
         monkeypatch.setattr(module, name, refuse)
     again = laboratory.run(scene.load("couplet", BASE | PACES["steps"])).history.rows
     assert again["stress"].tobytes() == couplet("steps").history.rows["stress"].tobytes()

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.configuration import model_state
-from masonry.configuration import room as large_motion
+from masonry.configuration import large, model_state
 from masonry.detection.broad import cells_for
 from masonry.laboratory import laboratory
 from masonry.laboratory.cost import candidates
@@ -91,15 +90,15 @@ def test_a_model_whose_points_outgrow_their_room_gets_more_and_goes_on(monkeypat
     built, more = assemble(scene()), []
     near = built.model.large.near
     room = no_points(1, near.points.feature.shape[1])
-    object.__setattr__(built.model.large, "near", near._replace(points=room))
-    usual = large_motion.make_room
-    monkeypatch.setattr(large_motion, "make_room", lambda model: more.append(usual(model)))
+    built.model.large.near = near._replace(points=room)
+    usual = large.make_room
+    monkeypatch.setattr(large, "make_room", lambda *built: more.append(usual(*built)))
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert 1 <= len(more) <= 3, "from 1 to 2 to 4 slots"
     assert len(built.model.large.near.points.number) in (2, 4)
     assert apart(outcome.history.rows, 0.3) < 1e-12
     kept, other = model_state.state(built.model), assemble(scene()).model
-    object.__setattr__(other.large, "near", other.large.near._replace(points=room, pairs=no_pairs(1)))
+    other.large.near = other.large.near._replace(points=room, pairs=no_pairs(1))
     model_state.restore(other, kept)
     assert all(array.tobytes() == kept[name].tobytes() for name, array in model_state.state(other).items())
     roomy = assemble(scene()).model  # as a run that goes back from where it had got more room
@@ -113,7 +112,7 @@ def test_pairs_that_outgrow_their_room_get_more_too():
     near = built.model.large.near
     few = {"pairs": no_pairs(1), "before": no_pairs(1), "cells": cells_for(near.pieces, 1)}
     search = near.search._replace(candidates=np.zeros((1, 2), dtype=np.int64))
-    object.__setattr__(built.model.large, "near", near._replace(search=search, **few))
+    built.model.large.near = near._replace(search=search, **few)
     outcome = laboratory.timeloop.run(built.model, built.plan, built.recording)
     assert len(built.model.large.near.pairs.slot) > 2
     assert apart(outcome.history.rows, 0.3) < 1e-12

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from masonry import scene
+from masonry.configuration import large
 from masonry.configuration.energy import open_in_contacts
 from masonry.configuration.retirement import areas_of, pressures_of
 from masonry.laboratory import laboratory
 from masonry.patches.arrays import BORN, NORMAL_GAINED, SHEAR_LOST
-from masonry.timeloop import loop
 from tests.large.made import G, dry, slab
 from tests.scenes import box
 
@@ -56,17 +56,17 @@ def test_every_joule_is_booked_as_bonds_retire():
 
 def handed_over(monkeypatch, **settings):
     """By what (J) the account changes as bonds retire, and the rows of the couplet of the paper."""
-    seen, usual = [], loop.retire
+    seen, usual = [], large.retire
 
-    def watched(model):
+    def watched(model, parts):
         before = model.large.near.account.copy()
-        usual(model)
+        usual(model, parts)
         change = model.large.near.account - before
         if model.contacts.area.max() == 0.0 and not seen:
             seen.append(change)
             assert press_of(model) == pytest.approx(1.0, abs=3e-3), "of the thrust of the bonds"
 
-    monkeypatch.setattr(loop, "retire", watched)
+    monkeypatch.setattr(large, "retire", watched)
     rows = laboratory.run(scene.load("couplet", {"displacements": "large", **settings})).history.rows
     (change,) = seen
     return change, rows

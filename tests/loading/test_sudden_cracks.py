@@ -6,9 +6,9 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import kinetic, ledger, observe, velocities
+from masonry.configuration.parts.parts import parts_of
 from masonry.judgement.sentence import trust
 from masonry.laboratory.text import sudden_text
-from masonry.loading.moves.impulses import momenta
 from masonry.loading.sudden_cracks import brake
 from masonry.scene import load as load_scene
 from masonry.timeloop.compiled_step import advance_model, compile_for
@@ -114,7 +114,7 @@ def test_what_braking_takes_from_blocks_that_turn_is_what_it_books():
     model = assemble(load_scene("block-rocking")).model
     body = model.bodies.rigid
     body.v[...] = np.where(body.dt_over_mass > 0.0, np.random.default_rng(0).normal(size=body.v.shape), 0.0)
-    body.momentum[...] = momenta(model, "rigid", body, body.v)[:, 3:]
+    body.momentum[...] = parts_of(model)[0].momenta(body.v)[:, 3:]
     before, booked = velocities(model), float(body.work[:, 1].sum())
     energy = kinetic(model, before)
     brake(model, before, 0.7)

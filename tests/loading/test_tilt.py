@@ -98,7 +98,7 @@ def test_the_weight_has_its_size_and_direction_at_every_row(about, vector, acros
         load_factors = [
             1.0 if load.varies is None else pace.loads.load_factors[load.varies, pace.done] for load in loads.loads
         ]
-        found = loads.resultants(layout, load_factors).sum(axis=0)[:3] / mass
+        found = loads.resultants(built.model, load_factors).sum(axis=0)[:3] / mass
         angle = np.radians(60.0) * (pace.done - 1001) / 3000 if pace.done > 1000 else 0.0
         wanted = along + np.cos(angle) * turning + np.sin(angle) * np.linalg.norm(turning) * np.array(across)
         body = built.model.bodies.rigid

@@ -7,15 +7,16 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.configuration import joint_forces
+from masonry.configuration import joint_forces, large
 from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
+from masonry.configuration.parts.affine import AffinePart, DeformingPart
 from masonry.errors import Stopped, TurnedTooFar
-from masonry.monitors import collapse
+from masonry.model.kinds import KIND
 from masonry.monitors.collapse import Collapse, Deformation
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings
-from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by, resultant
+from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by
 from masonry.monitors.settling import unbalanced
 from masonry.monitors.slide import Slide, is_roller
 from masonry.monitors.stability import Watch
@@ -138,12 +139,14 @@ def test_a_force_at_an_arm_has_its_moment_about_the_origin_whatever_moves_and_de
     rng = np.random.default_rng(8)
     axes, frame = turn(0, 0.4) @ turn(2, 1.3), np.eye(3) + 0.3 * rng.normal(size=(3, 3))
     centre, shift, force, arm = rng.normal(size=(4, 3))
-    layout = SimpleNamespace(members={"affine": np.array([0])}, axes=axes[None], centroid=centre[None])
-    large = SimpleNamespace(frame=frame[None], q=shift[None]) if moved else None
+    only, where = {"affine": np.array([0])}, {"affine": centre[None]}
+    layout = SimpleNamespace(members=only, owner=only, axes=axes[None], place=where)
+    model = SimpleNamespace(layout=layout, masses={"affine": None})
+    body = SimpleNamespace(frame=frame[None], q=shift[None])
+    part = (DeformingPart if moved else AffinePart)(model, KIND["affine"], body)
     acts = np.concatenate([force, np.outer(force, arm).ravel()])[None]
     place = centre + shift + frame @ axes @ arm if moved else centre + axes @ arm
-    found = resultant(layout, "affine", np.array([0]), acts, large)
-    assert found == pytest.approx([*force, *np.cross(place, force)])
+    assert part.resultant(np.array([0]), acts) == pytest.approx([*force, *np.cross(place, force)])
 
 
 def standing(reactions, loads, inertia=(0.0,) * 6) -> Standing:
@@ -175,7 +178,7 @@ def fallen() -> Assembly:
 @pytest.mark.parametrize(("share", "falls"), EITHER_SIDE)
 def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, falls, monkeypatch):
     model = fallen().model
-    monkeypatch.setattr(collapse, "deepest", lambda *_: (0.0, -1))
+    monkeypatch.setattr(large, "deepest", lambda *_: (0.0, -1))
     model.bodies.rigid.q[1, :3] = 5.0, 0.0, -share * 0.5 * 0.1
     look = Collapse(model)
     look.look(model, replace(seen(model), terms=CLOSED | {"kinetic": 3.0}), 11)
@@ -194,7 +197,7 @@ def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monke
         widths.append(width)
         return share * 0.5, 0
 
-    monkeypatch.setattr(collapse, "deepest", deepest)
+    monkeypatch.setattr(large, "deepest", deepest)
     look = Collapse(model)
     if stopped:
         with pytest.raises(Stopped, match="overlap by 0.51 of the width of the thinner one"):
@@ -238,7 +241,7 @@ def test_an_elastic_contact_is_a_roller_up_to_a_millionth_of_its_normal_stiffnes
 def test_a_joint_bears_the_force_and_the_moment_of_its_patches_about_its_normal_too(turned, upside, monkeypatch):
     """Four points press and rub unlike each other; contacts of the joint have the same sums, in the frame at first."""
     model = fallen().model
-    forces, joints = JointForces(model), model.joints
+    forces, joints = JointForces(model, model.large), model.joints
     rng, middle = np.random.default_rng(2), np.array([0.01, -0.02, 0.0])
     place = middle + np.array([[0.05, 0.04, 0.0], [-0.05, 0.05, 0.0], [-0.04, -0.05, 0.0], [0.05, -0.04, 0.0]])
     acts = np.column_stack([rng.normal(size=(4, 2)), [-5.0, -6.0, -4.0, -5.5]])  # on the slab

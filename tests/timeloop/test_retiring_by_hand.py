@@ -29,14 +29,14 @@ def test_a_bond_is_broken_where_neither_strength_has_a_thousandth_left(left, bro
     model = glued(GLUE + 'coupling = "independent"\n')
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
     getattr(model.state, strength)[:] = 1.0, left, 0.5, 0.0
-    assert retirement._broken(model).tolist() == [False, broken, False, True]
+    assert retirement._broken(model, model.large).tolist() == [False, broken, False, True]
 
 
 @pytest.mark.parametrize(("left", "broken"), [(0.99, True), (1.01, False)])
 def test_where_both_strengths_are_lost_together_their_product_counts(left, broken):
     model = glued()
     model.state.intact_n[:], model.state.intact_s[:] = 0.05, (left * 0.02, 1.0, 0.0, 0.02)
-    assert retirement._broken(model).tolist() == [broken, False, True, False]
+    assert retirement._broken(model, model.large).tolist() == [broken, False, True, False]
 
 
 @pytest.mark.parametrize(("angle", "hinges"), [(0.099, False), (0.101, True)])
@@ -45,8 +45,8 @@ def test_what_still_presses_goes_where_its_blocks_turned_by_a_tenth_of_a_radian(
     model = glued()
     model.large.bonds.frames[1] = turn(axis, angle)
     opening = np.array([-1e-6, 1e-6, 0.0, -1e-6])
-    model.contacts.u[1:] = opening[:, None] * model.contacts.normal
-    assert retirement._hinges(model).tolist() == [hinges, False, hinges, hinges]
+    model.large.parted[...] = opening[:, None] * model.contacts.normal
+    assert retirement._hinges(model, model.large).tolist() == [hinges, False, hinges, hinges]
 
 
 def pressed(model, normal: float, shear: float) -> np.ndarray:
@@ -63,15 +63,15 @@ def test_bonds_carry_the_energies_of_their_pressure_and_shear():
     model = glued()
     key, four = np.zeros(4, dtype=int), np.arange(4)
     whole = pressed(model, -2e5, 1e5)
-    carried = retirement._carried(model, key, four)[0]
+    carried = retirement._carried(model, model.large, key, four)[0]
     assert carried.force == pytest.approx(whole)
     assert carried.pressed == pytest.approx(0.01 * 4e10 / (2.0 * KN))
     assert carried.sheared == pytest.approx(0.01 * 1e10 / (2.0 * KS))
     pressed(model, 2e5, 1e5)
-    assert retirement._carried(model, key, four)[0].pressed == 0.0
+    assert retirement._carried(model, model.large, key, four)[0].pressed == 0.0
     area = model.contacts.area.copy()
     model.contacts.force[0] *= 2.0
-    twice = retirement._carried(model, np.array([7, 8, 8, 8]), four)
+    twice = retirement._carried(model, model.large, np.array([7, 8, 8, 8]), four)
     assert (
         twice[7].sheared
         == pytest.approx(4.0 * area[0] * 1e10 / (2.0 * KS))
@@ -86,10 +86,10 @@ def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, she
     model = glued()
     model.bodies.rigid.q[1, 2] = -sunk
     model.large.near.motion.travel[1] += sunk
-    model.contacts.u[1:] = -2e-5 * model.contacts.normal
+    model.large.parted[...] = -2e-5 * model.contacts.normal
     force = pressed(model, -2e5, shear)
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
-    retirement.retire(model)
+    retirement.retire(model, model.large)
     near, bonds = model.large.near, model.large.bonds
     assert not bonds.alive.any() and not model.contacts.area.any() and not bonds.force.any()
     springs = 0.01 * 4e10 / (2.0 * KN) + 0.01 * shear**2 / (2.0 * KS)
@@ -110,10 +110,10 @@ def test_shear_that_follows_an_uneven_pressure_holds_no_more_energy_than_the_bon
     model = glued()
     model.bodies.rigid.q[1, 2], model.bodies.rigid.frame[1] = -2e-5, turn(1, 1e-4)
     model.large.near.motion.travel[1] += 1e-4
-    model.contacts.u[1:] = -2e-5 * model.contacts.normal
+    model.large.parted[...] = -2e-5 * model.contacts.normal
     force = pressed(model, -2e5, 5e4)
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
-    retirement.retire(model)
+    retirement.retire(model, model.large)
     near = model.large.near
     p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
     pressures, areas = retirement.pressures_of(near, p), retirement.areas_of(near, p)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.configuration.energy import present
+from masonry.configuration.parts.parts import parts_of
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.dry_joints import is_dry
 from masonry.laboratory.remarks.joint_faces import Faces, corners_of
@@ -38,7 +38,7 @@ def hinges_of(assembly: Assembly, faces: Faces) -> Hinges:
     second = faces.sums(assembly.joints.area[:, None, None] * faces.arm[:, :, None] * faces.arm[:, None, :])
     flat = np.eye(3) - faces.normal[:, :, None] * faces.normal[:, None, :]
     bare = flat - faces.inverse @ second
-    face = np.flatnonzero((~dry | (model.large is None)) & (np.trace(bare, axis1=1, axis2=2) > 0.5))
+    face = np.flatnonzero((~dry | (not assembly.scene.is_large)) & (np.trace(bare, axis1=1, axis2=2) > 0.5))
     wide = np.zeros(len(face), dtype=bool)
     for number, k in enumerate(face):
         across = (corners_of(assembly.joints, faces.patch[k]) - faces.middle[k]) @ bare[k]
@@ -74,16 +74,8 @@ def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]
 def _may_turn(assembly: Assembly) -> np.ndarray:
     """(B, 3, 3): the rows are axes about which each block is free to turn; 0 where it is not."""
     model, free = assembly.model, np.zeros((assembly.specimen.blocks.count, 3, 3))
-    for kind, body in present(model):
-        if kind == "tets":
-            free[model.layout.members[kind]] = np.eye(3)
-        elif kind == "rigid":
-            axes = getattr(body, "axes", None) if model.large is None else None
-            turns = (body.dt_over_mass[:, 3:] > 0.0)[:, :, None]
-            free[model.layout.members[kind]] = turns * (np.eye(3) if axes is None else np.swapaxes(axes, 1, 2))
-        else:
-            turns = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
-            free[model.layout.members[kind]] = turns[:, None, None] * np.eye(3)
+    for part in parts_of(model):
+        free[part.blocks] = part.turns_about()
     return free
 
 

@@ -62,8 +62,8 @@ def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict
 def _opened_or_slid(assembly: Assembly) -> int | None:
     """Joints between units of which a contact has opened beyond its elastic limit, or slid, at any time; None where
     some are patches from the start, which do not remember it."""
-    state, large = assembly.model.state, assembly.model.large
-    if large is not None and len(large.bonded) < len(assembly.model.group_names):
+    state = assembly.model.state
+    if len(assembly.model.swept) < len(assembly.model.group_names):
         return None
     if state.opening_max is None:
         return 0

@@ -19,7 +19,7 @@ def energies(assembly: Assembly, outcome: Outcome, scales: Scales, released: flo
     driven = assembly.scene.drive is not None
     return Energies(
         work_of_drive_j=_work_of_drive(rows, scales.settled, after_settling) if driven else None,
-        work_of_force_j=float(scales.pushed[-1]) if driven and assembly.model.large is not None else None,
+        work_of_force_j=float(scales.pushed[-1]) if driven and assembly.scene.is_large else None,
         work_of_loads_j=_by_load(assembly, work_of_loads),
         work_of_loads_after_settling_j=_by_load(assembly, after_settling),
         energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS) if key in rows},
@@ -43,7 +43,7 @@ def _by_load(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
 def _mismatch(assembly: Assembly, rows: dict[str, np.ndarray], scales: Scales) -> float:
     """What the laws booked against what the contacts took up and did not store."""
     torn = abs(open_in_contacts({key: float(values[-1]) for key, values in rows.items()}))
-    measured = scales.dissipated or assembly.model.large is not None
+    measured = scales.dissipated or assembly.scene.is_large
     return torn / scales.booked if measured and scales.booked > 0.0 else 0.0
 
 

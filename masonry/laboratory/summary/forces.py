@@ -6,8 +6,9 @@ import numpy as np
 
 from geometry.specimens.placed import FLOOR
 from masonry.assembly.assemble import Assembly
+from masonry.configuration.configuration import configuration_of
 from masonry.judgement.scales import Scales
-from masonry.monitors.reactions import balance, moved_by, open_by, rounded
+from masonry.monitors.reactions import balance, moved_by, open_by
 from masonry.results.summary import Forces
 from masonry.timeloop.recording import Outcome
 
@@ -16,7 +17,7 @@ def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:
     """Reactions, and three measures of equilibrium."""
     rows, standing = outcome.history.rows, outcome.standing
     size = float(np.ptp(assembly.specimen.blocks.points, axis=0).max())
-    least = rounded(assembly.model, float(rows["kinetic"].max()))
+    least = configuration_of(assembly.model).rounding(float(rows["kinetic"].max()))
     return Forces(
         reactions=_reactions(assembly, outcome),
         force_balance=open_by(standing.values(), size, least) if standing else None,

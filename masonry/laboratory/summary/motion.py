@@ -19,7 +19,7 @@ STEADILY = "it went down no faster than the drive made it, so it may stand"
 
 def motion(assembly: Assembly, outcome: Outcome) -> Motion:
     """The largest turn and overlap; in large displacement whether it is a motion in time, and what fell."""
-    observed, large = outcome.observed, assembly.model.large is not None
+    observed, large = outcome.observed, assembly.scene.is_large
     return Motion(
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),

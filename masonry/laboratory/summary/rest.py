@@ -9,7 +9,7 @@ def rest(assembly: Assembly, outcome: Outcome) -> Rest:
     """Of all blocks together, and of the one that is farthest from rest, on its own scales; nothing where nothing need
     be at rest."""
     observed, loads = outcome.observed, assembly.recording.surroundings.loads
-    settles = bool(loads) and (assembly.model.large is None or assembly.plan.settle > 0)
+    settles = bool(loads) and (not assembly.scene.is_large or assembly.plan.settle > 0)
     return Rest(
         unbalanced_after_settling=float(observed["unbalanced"][-1]) if settles else None,
         kinetic_after_settling=float(observed["still_moving"][-1]) if settles else None,

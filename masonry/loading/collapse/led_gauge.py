@@ -40,8 +40,7 @@ class LedGauge(Remembering):
 
     def begin(self, rested: Arrays) -> None:
         """Where it stood at a rest (configuration/model_state.py), and where it is led from there."""
-        frame = rested["rigid.frame"] if self.gauge.turns(self.model) else None
-        self.start = self.gauge.reading(kept_dofs(self.model, rested), frame)
+        self.start = self.gauge.reading(kept_dofs(self.model, rested), rested.get("rigid.frame"))
         self.sense = float(np.sign(self.until - self.start))
 
     def read(self) -> float:

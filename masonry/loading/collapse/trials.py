@@ -4,6 +4,7 @@ import numpy as np
 
 from masonry.configuration import energy, model_state
 from masonry.configuration.chunk import Chunk
+from masonry.configuration.configuration import configuration_of
 from masonry.loading.collapse.branch import Branch
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
@@ -98,7 +99,7 @@ class Trials(Remembering):
         least = self.rest_level.force * load.loads.rest_over_each()
         self.enclosing, self.pace = Enclosing(self.path, least, settings), Pace(self.path.accuracy, settings)
         self.rest, self.watch, self.branch, self.tally = LastRest(model), FallWatch(model, settings), branch, tally
-        self.freely = model.large is not None
+        self.freely = configuration_of(model).any_size
 
     @property
     def rest_level(self) -> RestCriterion:

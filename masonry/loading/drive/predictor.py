@@ -7,6 +7,7 @@ waves; what is damped is what follows from cracks. A little local damping beside
 
 import numpy as np
 
+from masonry.configuration.parts.parts import parts_of
 from masonry.kinematics.motion import Guided
 from masonry.model.model import Model
 from masonry.runtime.state import State, attributes, load_attributes
@@ -31,11 +32,7 @@ class Predictor:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.parts = [
-            (body, model.masses[kind], model.u[: len(body.v)] if kind == "tets" else body.q)
-            for kind, body in zip(model.masses, model.bodies, strict=True)
-            if body is not None
-        ]
+        self.parts = [(part.body, part.masses, part.displacements) for part in parts_of(model)]
         self.last = [place.copy() for _, _, place in self.parts]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0

@@ -2,10 +2,11 @@
 
 import numpy as np
 
+from masonry.configuration.small import LEAP
 from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.loading.schedule import smooth
 from masonry.model.model import Model
-from masonry.monitors.stability import LEAP, smallest_block
+from masonry.monitors.stability import smallest_block
 from masonry.runtime.state import Remembering
 
 

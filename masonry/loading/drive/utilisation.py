@@ -2,11 +2,11 @@
 
 import numpy as np
 
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Seen
 from masonry.loading.drive.predictor import Predictor
 from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
-from masonry.patches.press import deepest
 from masonry.runtime.state import Remembering
 
 
@@ -47,9 +47,8 @@ class Dry(Remembering):
 
     def begin(self) -> None:
         """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
-        assert self.model.large is not None
-        near = self.model.large.near
-        if (pressed := float(deepest(near, np.ones(len(near.pieces.body)))[0])) > 0.0:
+        pressed, _ = configuration_of(self.model).deepest(np.ones(self.model.blocks.count))
+        if pressed > 0.0:
             self.parting = self.settings.parting * pressed
 
     def shortest(self, moved: float) -> float:

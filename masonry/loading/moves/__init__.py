@@ -1,1 +1,1 @@
-"""How far bodies have moved, steadily or not; impulses that brake them."""
+"""How far bodies have moved, steadily or not; how what drifts is told from what swings."""

@@ -7,11 +7,9 @@ that what drifts steadily is not dragged.
 
 import numpy as np
 
-from masonry.configuration import energy
-from masonry.loading.moves.impulses import momenta, strike, velocities_of
+from masonry.configuration.parts.parts import parts_of
 from masonry.loading.moves.moved import Arrays, dofs
 from masonry.model.model import Model
-from masonry.monitors.unrest import of_blocks, rows_of
 from masonry.runtime.state import State
 
 
@@ -41,29 +39,31 @@ class Drift:
         The mean of the velocities before and after the step counts: of the fastest swings, which turn round at each
         step, one of them alone would make the impulse feed them.
         """
-        bodies = energy.present(model)
-        earlier = [velocities_of(body, kept) for (_, body), kept in zip(bodies, before, strict=True)]
-        mean = [0.5 * (body.v + old) for (_, body), old in zip(bodies, earlier, strict=True)]
+        parts = parts_of(model)
+        earlier = [part.velocities(old) for part, old in zip(parts, before, strict=True)]
+        mean = [0.5 * (part.body.v + old) for part, old in zip(parts, earlier, strict=True)]
         inertia = momentum = 0.0
-        for (kind, body), v in zip(bodies, mean, strict=True):
-            along = momenta(model, kind, body, self.moved[kind])
-            inertia, momentum = inertia + float(np.sum(along * self.moved[kind])), momentum + float(np.sum(along * v))
+        for part, v in zip(parts, mean, strict=True):
+            moved = self.moved[part.name]
+            along = part.momenta(moved)
+            inertia, momentum = inertia + float(np.sum(along * moved)), momentum + float(np.sum(along * v))
         drifts = momentum / inertia
         paces = np.full(model.blocks.count, drifts) if alone is None else self.paces(model, mean, alone)
-        for (kind, body), v, old in zip(bodies, mean, earlier, strict=True):
-            pace = drifts if alone is None else rows_of(model, kind, paces)[:, None]
-            strike(model, kind, body, (left - 1.0) * (v - pace * self.moved[kind]), old)
+        for part, v, old in zip(parts, mean, earlier, strict=True):
+            pace = drifts if alone is None else part.spread(paces)[:, None]
+            part.strike((left - 1.0) * (v - pace * self.moved[part.name]), old)
         return drifts if alone is None else float(paces[alone].max())
 
     def paces(self, model: Model, mean: list[np.ndarray], alone: np.ndarray) -> np.ndarray:
         """(B,) how many times what it moved each block that is alone drifts in a second; 0 for all others. mean:
         velocities by kind"""
-        found = np.zeros(model.blocks.count)
-        for (kind, body), v in zip(energy.present(model), mean, strict=True):
-            along = momenta(model, kind, body, self.moved[kind])
-            inertia, momentum = (of_blocks(model, kind, (along * x).sum(axis=1)) for x in (self.moved[kind], v))
-            found[model.layout.members[kind]] = momentum / np.maximum(inertia, 1e-300)
-        return np.where(alone, found, 0.0)
+        paces = np.zeros(model.blocks.count)
+        for part, v in zip(parts_of(model), mean, strict=True):
+            moved = self.moved[part.name]
+            along = part.momenta(moved)
+            inertia, momentum = (part.sums((along * x).sum(axis=1)) for x in (moved, v))
+            paces[part.blocks] = momentum / np.maximum(inertia, 1e-300)
+        return np.where(alone, paces, 0.0)
 
     def state(self) -> State:
         """What it is made anew from."""

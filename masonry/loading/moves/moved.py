@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.configuration import energy
+from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
 
 Arrays = dict[str, np.ndarray]
@@ -21,7 +21,7 @@ def reach(moved: np.ndarray) -> float:
 
 def dofs(model: Model) -> Arrays:
     """By kind of motion, the dofs of the bodies (rows, n): m, and turns or strains."""
-    return {kind: model.u[: len(body.v)] if kind == "tets" else body.q for kind, body in energy.present(model)}
+    return {part.name: part.displacements for part in parts_of(model)}
 
 
 def moved_since(model: Model, kept: Arrays) -> Arrays:
@@ -33,28 +33,21 @@ def moved_since(model: Model, kept: Arrays) -> Arrays:
 def blocks_reach(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B, 2) m, how far each block has moved, and how much it turned and strained; moved: as of `places`. Of tets it is
     the node that moved most."""
-    layout, found = model.layout, np.zeros((model.blocks.count, 2))
-    for (kind, _), part in zip(energy.present(model), moved, strict=True):
-        far = np.column_stack([np.linalg.norm(part[:, :3], axis=1), np.linalg.norm(part[:, 3:], axis=1)])
-        if kind == "tets":
-            assert layout.mesh is not None
-            far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
-        found[layout.members[kind]] = far
-    return found
+    reached = np.zeros((model.blocks.count, 2))
+    for part, way in zip(parts_of(model), moved, strict=True):
+        far = np.column_stack([np.linalg.norm(way[:, :3], axis=1), np.linalg.norm(way[:, 3:], axis=1)])
+        reached[part.blocks] = part.largest(far)
+    return reached
 
 
 def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
-    layout, found = model.layout, np.zeros(model.blocks.count)
-    for (kind, _), part in zip(energy.present(model), moved, strict=True):
-        far = np.linalg.norm(part, axis=1)
-        if kind == "tets":
-            assert layout.mesh is not None
-            far = np.maximum.reduceat(far, layout.mesh.node_start[layout.members[kind]])
-        found[layout.members[kind]] = far
-    return found / max(float(found.max(initial=0.0)), 1e-300)
+    reached = np.zeros(model.blocks.count)
+    for part, way in zip(parts_of(model), moved, strict=True):
+        reached[part.blocks] = part.largest(np.linalg.norm(way, axis=1))
+    return reached / max(float(reached.max(initial=0.0)), 1e-300)
 
 
 def kept_dofs(model: Model, kept: Arrays) -> Arrays:
     """The same of a state that was kept (configuration/model_state.py)."""
-    return {kind: kept["u" if kind == "tets" else f"{kind}.q"][: len(now)] for kind, now in dofs(model).items()}
+    return {part.name: part.kept(kept) for part in parts_of(model)}

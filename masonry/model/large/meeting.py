@@ -62,13 +62,13 @@ class Meetings:
         return 2.0 * stiffest * np.sqrt(mass)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Large:
-    """What a model of large displacement has besides: bonds and the groups of contacts that have some, what may meet,
-    and the kinds of blocks if some deform."""
+    """What a model of large displacement has besides: bonds, and how far (C, 3) m their sides have parted in the frame
+    of side a, which is what their laws see; what may meet, and the kinds of blocks if some deform."""
 
     bonds: Bonds
-    bonded: tuple[int, ...]
+    parted: np.ndarray
     near: Near
     members: Members | None = None
 
@@ -126,7 +126,7 @@ def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
     triangle, area = 0.5 * np.linalg.norm(np.cross(arm, arm[after]), axis=1), np.empty(len(corner))
     area[after] = 0.5 * (triangle[after] + triangle)
     owner = blocks.face_block()[face]
-    plain = layout.kind[owner] != KINDS.index("tets")
+    plain = ~layout.meshed[owner]
     parts = [(corner[plain], area[plain], owner[plain], layout.local[owner[plain]])]
     tets = outer_tets(layout)
     if tets is not None:

@@ -5,6 +5,7 @@ import numpy as np
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
 from masonry.model.arrays import Bodies, whole_rows
+from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
 from masonry.patches.arrays import Motion
 
@@ -19,7 +20,7 @@ def motion_of(
 ) -> tuple[Motion, Members | None]:
     """Motion of all bodies, and which block is of which kind where some deform; reach (N,) m, see Members."""
     rigid, centre = bodies.rigid, layout.centroid.copy()
-    if len(layout.members["rigid"]) == len(layout.kind):
+    if not layout.deforms.any():
         rows = (whole_rows(rigid.q), rigid.frame, whole_rows(rigid.v), whole_rows(rigid.patches))
         return Motion(centre, *rows, reach.copy(), np.zeros(len(reach))), None
     none = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 4, 3)), np.zeros((0, 3))
@@ -62,7 +63,7 @@ def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.
     """(N,) whether a body can move."""
     found = np.zeros(len(layout.kind), dtype=bool)
     for kind, body in zip(KINDS, bodies, strict=True):
-        if body is not None and kind != "tets":
+        if body is not None and not KIND[kind].nodal:
             found[layout.members[kind]] = body.dt_over_mass.any(axis=1)
     if tets is None:
         return found

@@ -20,8 +20,9 @@ Dashpots C act on velocities half a step old. Of M (v+ - v-) = -dt (K x + C v-) 
 
 import numpy as np
 
+from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, tet_gradients, tet_volumes
-from masonry.model.stable_step import BETWEEN, CHUNK, Side, across, unscale
+from masonry.model.stable_step import BETWEEN, CHUNK, Side, unscale
 
 STRETCH = 1.02
 """What no line is assumed to exceed: masonry breaks at a thousandth of that strain."""
@@ -76,11 +77,11 @@ def contact_row_sums(
 
 def levers(side: Side, slack: float = 0.0) -> np.ndarray:
     """(C, 3) levers over the lengths of turns about a rigid block's axes, of columns of H; 0 for points of tets."""
-    square = side.arm**2
-    about = (np.sqrt(square.sum(axis=1, keepdims=True) - square) + slack) / across(side.length)
-    along = (np.abs(side.arm) + slack) / side.length
-    form = side.form[:, None]
-    return np.where(form == KINDS.index("rigid"), about, np.where(form == KINDS.index("affine"), along, 0.0))
+    over_length = np.zeros(side.arm.shape)
+    for code, kind in enumerate(KIND.values()):
+        which = side.form == code
+        over_length[which] = kind.levers(side.arm[which], side.length[which], slack)
+    return over_length
 
 
 def of_stretch(lame: np.ndarray, stretch: float) -> tuple[float, np.ndarray]:

@@ -32,7 +32,7 @@ class Corners:
         place, reach = moved(self.place, self.arm, shift, gradient)
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
-            by_nodes = self.model.contacts.u[self.nearest[self.points[which]]]
+            by_nodes = self.model.u[self.nearest[self.points[which]]]
             place[which], reach[which] = self.place[which] + by_nodes, np.abs(by_nodes).max(axis=(1, 2))
         return place, reach, gradient
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.configuration.energy import present
+from masonry.configuration.parts.parts import parts_of
 from masonry.laboratory.remarks.dry_joints import rocking
 
 
@@ -17,9 +17,6 @@ def remarks(assembly: Assembly) -> list[str]:
 def may_rotate(assembly: Assembly) -> np.ndarray:
     """(B,) which blocks are free to rotate about some axis."""
     model, rotates = assembly.model, np.zeros(assembly.specimen.blocks.count, dtype=bool)
-    for kind, body in present(model):
-        if kind == "tets":
-            rotates[model.layout.members[kind]] = True
-        else:
-            rotates[model.layout.members[kind]] = np.any(body.dt_over_mass[:, 3:] > 0.0, axis=1)
+    for part in parts_of(model):
+        rotates[part.blocks] = part.turns_about().any(axis=(1, 2))
     return rotates

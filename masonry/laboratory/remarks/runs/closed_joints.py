@@ -18,7 +18,7 @@ STAYS = 1e-3
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
     model, frames = inspection.assembly.model, inspection.frames
-    if model.large is None or inspection.assembly.scene.specimen.patch_points is not None:
+    if not inspection.assembly.scene.is_large or inspection.assembly.scene.specimen.patch_points is not None:
         return []
     farthest = max(float(np.abs(frame.corners).max(initial=0.0)) for frame in frames) if frames else 0.0
     dry = any(is_dry(inspection.assembly, g) for g in range(len(model.group_names)))

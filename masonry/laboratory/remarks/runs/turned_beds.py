@@ -20,7 +20,7 @@ TURNED, MATTERS = 0.01, 0.1
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most, of what was until a block fell."""
     assembly, outcome, frames = inspection.assembly, inspection.outcome, inspection.frames
-    if assembly.model.large is None or assembly.scene.specimen.patch_points is not None or len(frames) < 2:
+    if not assembly.scene.is_large or assembly.scene.specimen.patch_points is not None or len(frames) < 2:
         return []
     rows, fallen = outcome.history.rows, outcome.found["collapse"]
     frames = [frame for frame in frames if fallen is None or frame.step <= fallen[1]]
@@ -42,15 +42,14 @@ def doubts(inspection: Inspection) -> list[Doubt]:
 def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, float, float]:
     """Sums over the faces of all joints without bonds that press, from frame to frame: pressing force (N) times how far
     their points moved by a turn about the normal (m), and by a slide; and the largest turn (rad) of any of them."""
-    joints, large = assembly.joints, assembly.model.large
-    assert large is not None
+    joints = assembly.joints
     first, face = np.unique(joints.patch, return_index=True, return_inverse=True)[1:]
     face, count = face.ravel(), len(first)
     area = np.bincount(face, joints.area, count)
     middle = np.column_stack([np.bincount(face, joints.area * x, count) for x in joints.point.T]) / area[:, None]
     lever = np.bincount(face, joints.area * np.linalg.norm(joints.point - middle[face], axis=1), count) / area
     a, b, n = joints.block_a[first], joints.block_b[first], joints.normal[first]
-    dry, no_node = ~large.bonds.alive[first], np.full(count, -1)
+    dry, no_node = ~assembly.model.alive[first], np.full(count, -1)
     shape = Corners(assembly.specimen.blocks)
     turn, before = np.zeros(count), None
     turned = slid = 0.0

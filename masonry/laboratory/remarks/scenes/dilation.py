@@ -9,9 +9,9 @@ from math import inf
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
+from masonry.configuration.configuration import configuration_of
 from masonry.judgement.doubt import Doubt
 from masonry.laws.state import JointProperties
-from masonry.model.large.meeting import Large
 from masonry.scene.tables.contact import Contact
 from masonry.scene.tables.loading import Drive
 
@@ -26,14 +26,15 @@ def doubts(assembly: Assembly) -> list[Doubt]:
             advice = 'take law = "brittle" with a tensile strength and a cohesion of 0 Pa, and give dilation_cutoff'
             raised.append(Doubt("no_dilation", None, None, sentence, advice))
         if joint.tan_dilation is not None:
-            raised += of_group(name, contact, joint, travel_of(assembly.scene.drive), model.large)
+            raised += of_group(name, contact, joint, travel_of(assembly.scene.drive), configuration_of(model).skin)
     return raised
 
 
-def of_group(name: str, contact: Contact, joint: JointProperties, travel: float, large: Large | None) -> list[Doubt]:
-    """A dilation that ends before its slip, or that does not end within the travel (m) of the drive."""
+def of_group(name: str, contact: Contact, joint: JointProperties, travel: float, skin: float) -> list[Doubt]:
+    """A dilation that ends before its slip, or that does not end within the travel (m) of the drive; skin (m) of the
+    search, infinite where nothing is detected anew."""
     end = float(np.max(joint.dilation_cutoff)) if joint.dilation_cutoff is not None else inf
-    if large is not None and (skin := float(large.near.search.skin[0])) < end:
+    if skin < end:
         sentence = (
             f"contact.{name}: in large displacement faces without strength that have slid {1e3 * skin:.3g} mm are "
             "detected anew, and dilate no more: what slides further may fall too early"

@@ -32,7 +32,7 @@ def doubts(assembly: Assembly) -> list[Doubt]:
             'take kinematics = "affine": affine blocks do not lock',
         )
         for name, material in scene.material.items()
-        if material.poisson_ratio is not None and material.poisson_ratio > LIMIT and scene.kinematics_of(name) == "tets"
+        if material.poisson_ratio is not None and material.poisson_ratio > LIMIT and scene.is_meshed(name)
     ]
 
 

@@ -17,7 +17,7 @@ LIMIT = 0.05
 def doubts(assembly: Assembly) -> list[Doubt]:
     """One, of the worst block."""
     mesh, model, blocks = assembly.mesh, assembly.model, assembly.specimen.blocks
-    if mesh is None or model.large is None or model.scaled:
+    if mesh is None or not assembly.scene.is_large or model.scaled:
         return []
     supported = np.zeros(blocks.count, dtype=bool)
     node_block = np.repeat(np.arange(blocks.count), np.diff(mesh.node_start))

@@ -18,7 +18,7 @@ LIMIT = 36.0
 def doubts(assembly: Assembly) -> list[Doubt]:
     """One, of the sharpest edge."""
     mesh, blocks = assembly.mesh, assembly.specimen.blocks
-    if mesh is None or assembly.model.large is None:
+    if mesh is None or not assembly.scene.is_large:
         return []
     block, angle = sharpest_edge(blocks, np.diff(mesh.tet_start) > 0)
     if angle >= LIMIT:

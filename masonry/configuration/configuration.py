@@ -1,0 +1,81 @@
+"""What a kind of displacement answers: the one place that asks for it is `configuration_of`.
+
+How bodies move and what they hold is asked of parts (parts/parts.py); here stands what differs in the contacts, in the
+step, and in what may be trusted.
+"""
+
+from typing import Protocol
+
+import numpy as np
+
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.large import LargeDisplacement
+from masonry.configuration.small import SmallDisplacement
+from masonry.model.model import Model
+
+
+class Configuration(Protocol):
+    """A model in small displacement or in large.
+
+    any_size  whether blocks may turn, fall and meet others as they like; else displacements are linear in rotations,
+              and contacts stay those of the undeformed shape
+    columns   what the energy ledger has besides the columns of each run
+    leap      share of the smallest block by which a dof that moves in one step is no motion but an instability
+    """
+
+    any_size: bool
+    columns: tuple[str, ...]
+    leap: float
+
+    @property
+    def skin(self) -> float:
+        """m, by which blocks may come nearer, or slide on, before contacts are found anew; infinite where none are."""
+
+    def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
+        """Take some compiled steps of a chunk; drive_force (steps,) N out, after each. Raises Stopped."""
+
+    def after_row(self) -> None:
+        """What changes between rows: bonds that have nothing left retire."""
+
+    def look_at_contacts(self, seen: np.ndarray) -> float:
+        """Fill seen (4, C): opening and slip (m), normal and shear stress (Pa); return the stored energy (J)."""
+
+    def friction(self) -> float:
+        """J that friction took besides what contacts booked."""
+
+    def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
+        """J by name of `columns`; works as of energy.works."""
+
+    def joint_forces(self) -> np.ndarray:
+        """(C, 3) N on side a of each joint of the undeformed shape, as seen from the blocks where they turn."""
+
+    def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """All that acts between blocks now: the block (K,), the force (3, K) N on it, and its arm (3, K) m from the
+        centroid."""
+
+    def pressed(self) -> np.ndarray:
+        """(B,) N, sums of all components of all forces at each block's contacts."""
+
+    def stiffness(self) -> np.ndarray:
+        """(B,) N/m, normal stiffness of all contacts of each block now."""
+
+    def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+        """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
+        they are."""
+
+    def rounding(self, kinetic: float) -> float:
+        """N: forces below tell of the rounding of velocities alone; kinetic, the largest energy (J)."""
+
+    def advice(self, leap: float) -> str:
+        """What to do where something leaps by more than `leap` (m) in a step within its proven bound."""
+
+    def written(self) -> dict[str, np.ndarray]:
+        """By name, each array that steps, the guide or a row write."""
+
+    def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
+        """As much room as a run had whose arrays were kept (`written`)."""
+
+
+def configuration_of(model: Model) -> Configuration:
+    """What answers for the displacements of a model."""
+    return SmallDisplacement(model) if model.large is None else LargeDisplacement(model, model.large)

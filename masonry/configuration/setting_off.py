@@ -1,0 +1,38 @@
+"""Blocks that start in motion, or under dead loads that act at once: they are struck, and the work is booked."""
+
+import numpy as np
+
+from masonry.configuration.parts.parts import parts_of
+from masonry.model.model import Model
+
+
+def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
+    """Set off what starts in motion in a run without settling. Dead loads that act at once (`loaded`) give all that is
+    free half a step of themselves, so that velocities are those in the middle of the first step.
+
+    load_factors  (H,) of the loads that vary as the run begins; None without any
+    """
+    blows = {} if model.motion is None else {kind: blow.copy() for kind, blow in model.motion.items()}
+    for part in parts_of(model):
+        body, kind = part.body, part.name
+        if not loaded or body.load is None:
+            continue
+        load = body.load.copy()
+        for load_factor, varying in zip(() if load_factors is None else load_factors, model.varying, strict=True):
+            load += 0.0 if varying[kind] is None else load_factor * varying[kind]
+        blows[kind] = blows.get(kind, 0.0) + 0.5 * body.dt_over_mass * load
+    _strike(model, blows, [part.body.v.copy() for part in parts_of(model)])
+
+
+def set_off(model: Model, before: list[np.ndarray]) -> None:
+    """Add the velocities with which blocks start, once the dead loads have settled.
+
+    before  velocities one step earlier, in the order of the bodies that there are
+    """
+    _strike(model, model.motion or {}, before)
+
+
+def _strike(model: Model, blows: dict[str, np.ndarray], before: list[np.ndarray]) -> None:
+    for part, old in zip(parts_of(model), before, strict=True):
+        if (blow := blows.get(part.name)) is not None:
+            part.blow(blow, old)

@@ -1,0 +1,98 @@
+"""Small displacement: contacts are those of the undeformed shape, and displacements are linear in rotations."""
+
+from functools import cached_property
+from math import inf
+
+import numpy as np
+
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.contacts import (
+    look_at_contacts,
+    pairs_of_contacts,
+    stiffness_of_contacts,
+    sums_of_blocks,
+)
+from masonry.configuration.written import written_arrays
+from masonry.kernels.step import advance
+from masonry.model.model import Model
+
+LEAP = 1e-2
+"""A dof that moves by more than this share of the smallest block in one step is not a motion but an instability."""
+
+
+class SmallDisplacement:
+    """What configuration.py asks, of small displacement."""
+
+    any_size, leap, skin = False, LEAP, inf
+    columns: tuple[str, ...] = ()
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+
+    def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
+        model, parallel = self.model, True if threads > 1 else None
+        advance(
+            *(parallel, first, steps, model.dt, model.damping, chunk.dead_load, chunk.speed),
+            *(*model.step_arguments(), drive_force),
+        )
+
+    def after_row(self) -> None:
+        pass
+
+    def look_at_contacts(self, seen: np.ndarray) -> float:
+        return look_at_contacts(self.model, seen)
+
+    def friction(self) -> float:
+        return 0.0
+
+    def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
+        return {}
+
+    def joint_forces(self) -> np.ndarray:
+        return np.array(self.model.contacts.force)
+
+    def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        force = self.model.contacts.force
+        block, arm = self._sides
+        return block, np.concatenate([force, -force]).T.copy(), arm
+
+    @cached_property
+    def _sides(self) -> tuple[np.ndarray, np.ndarray]:
+        """The block (2 C,) of both sides of all contacts, and the arm (3, 2 C) m."""
+        joints = self.model.joints
+        block = np.concatenate([joints.block_a, joints.block_b])
+        arm = np.concatenate([joints.point, joints.point]) - self.model.layout.centroid[block]
+        return block, arm.T.copy()
+
+    def pressed(self) -> np.ndarray:
+        forces = np.abs(self.model.contacts.force).sum(axis=1)
+        return sums_of_blocks(self._pairs, forces, self.model.blocks.count)
+
+    @cached_property
+    def _pairs(self) -> np.ndarray:
+        return pairs_of_contacts(self.model)
+
+    def stiffness(self) -> np.ndarray:
+        return self._stiffness
+
+    @cached_property
+    def _stiffness(self) -> np.ndarray:
+        return sums_of_blocks(self._pairs, stiffness_of_contacts(self.model), self.model.blocks.count)
+
+    def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+        return 0.0, (0, 0)
+
+    def rounding(self, kinetic: float) -> float:
+        return 0.0
+
+    def advice(self, leap: float) -> str:
+        return (
+            "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
+            "a load too large, or a contact too soft for this specimen"
+        )
+
+    def written(self) -> dict[str, np.ndarray]:
+        return written_arrays(self.model)
+
+    def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
+        pass
