@@ -124,9 +124,9 @@ def limit(
     (10, 6)
     """
     from masonry.laboratory.arguments import flag, number, stress, whole
-    from masonry.limit_analysis.analysis import Wishes, analyse
+    from masonry.limit_analysis.analysis import LimitSettings, analyse
 
-    wishes = Wishes(
+    wishes = LimitSettings(
         dilation=flag("dilation", dilation),
         strength=flag("strength", strength),
         safety=flag("safety", safety),

@@ -15,7 +15,7 @@ from verification import catalogue, records, runner, text
 from verification.case import Case
 from verification.comparison import compare, last_version
 from verification.html.cover import require_ours
-from verification.outcome import Outcome
+from verification.outcome import CaseOutcome
 
 HOLDS, FAILS = 0, 1
 PAGE = "verify.html"
@@ -80,7 +80,7 @@ def main(arguments: list[str] | None = None) -> int:
     begun = time.perf_counter()
     try:
         outcomes = runner.run(cases, words.workers, tell)
-    except runner.Cut as cut:
+    except runner.CutShort as cut:
         return _cut(words, cut, len(cases), time.perf_counter() - begun)
     code = _say(words.format, outcomes, time.perf_counter() - begun)
     if words.out:
@@ -101,7 +101,7 @@ def _missing(cases: list[Case], folder: Path | None) -> list[Case]:
     return missing
 
 
-def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
+def _cut(words: Namespace, cut: runner.CutShort, count: int, seconds: float) -> int:
     """Say and keep what was done by the time that the run was told to end."""
     if cut.done:
         _say(words.format, cut.done, seconds)
@@ -114,7 +114,7 @@ def _cut(words: Namespace, cut: runner.Cut, count: int, seconds: float) -> int:
     return complain(f"interrupted; {len(cut.done)} of {count} cases are done; {go_on}", cut.code)
 
 
-def _say(form: str, outcomes: list[Outcome], seconds: float) -> int:
+def _say(form: str, outcomes: list[CaseOutcome], seconds: float) -> int:
     """Print what came of the cases."""
     if form == "json":
         print(json.dumps([r for o in outcomes for r in records.records_of(o)], indent=1, allow_nan=False))
@@ -138,7 +138,7 @@ def _compare(form: str, old: list[records.Record], new: list[records.Record]) ->
     return FAILS if any(c.bad for c in changes) else HOLDS
 
 
-def _write(folder: Path, outcomes: list[Outcome], seconds: float) -> None:
+def _write(folder: Path, outcomes: list[CaseOutcome], seconds: float) -> None:
     """Records and page."""
     from verification.report.__main__ import write
     from verification.report.cases import chapters

@@ -18,7 +18,7 @@ Answer = tuple[Findings, str, str, float]
 
 
 @dataclass
-class Outcome:
+class CaseOutcome:
     """A case that was run: PASS, FAIL, NOT BUILT or ERROR, and why."""
 
     case: Case
@@ -83,9 +83,9 @@ def judge(findings: Findings) -> tuple[str, str]:
     return ("FAIL", "; ".join(wrong)) if wrong else ("PASS", "")
 
 
-def run_case(case: Case) -> Outcome:
+def run_case(case: Case) -> CaseOutcome:
     """The outcome of a case; raises nothing but KeyboardInterrupt."""
-    return Outcome(case, *answer(case))
+    return CaseOutcome(case, *answer(case))
 
 
 def answer(case: Case) -> Answer:

@@ -17,7 +17,7 @@ from masonry.jit.sources import source_hash
 from masonry.runtime.folder import require_writable as can_be_written
 from masonry.runtime.folder import writing
 from masonry.runtime.text_files import JSON_LARGEST, json_in, text_of
-from verification.outcome import Outcome
+from verification.outcome import CaseOutcome
 
 NAME = "records.json"
 PACKAGES = ("numpy", "scipy", "numba", "gmsh", "scikit-fem")
@@ -53,7 +53,7 @@ def processor() -> str:
     return named[0] if named else platform.processor() or "unknown processor"
 
 
-def records_of(outcome: Outcome) -> list[Record]:
+def records_of(outcome: CaseOutcome) -> list[Record]:
     """A record for each check of a case; one without a quantity where there is none (not built, error)."""
     case, findings = outcome.case, outcome.findings
     measures = {key: _largest(run.get(key) for run in findings.measures.values()) for key in _KEYS}

@@ -8,22 +8,24 @@ from masonry.runtime.ending import code_of
 from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import ProgressLines, Tell
 from verification.case import Case, Findings
-from verification.outcome import Outcome, answer, run_case
+from verification.outcome import CaseOutcome, answer, run_case
 
 WORKERS = 2
 LIMIT = 1200.0
 """Seconds after which a case is given up."""
 
 
-class Cut(Exception):
+class CutShort(Exception):
     """A run of cases that was told to end: what is done by then, and the exit code."""
 
-    def __init__(self, done: list[Outcome], code: int) -> None:
+    def __init__(self, done: list[CaseOutcome], code: int) -> None:
         super().__init__(f"{len(done)} cases are done")
         self.done, self.code = done, code
 
 
-def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None, limit: float = LIMIT) -> list[Outcome]:
+def run(
+    cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None, limit: float = LIMIT
+) -> list[CaseOutcome]:
     """The outcome of every case, in the order given. Raises Cut where it is told to end, by Ctrl-C or a signal.
 
     workers  processes; 0 runs all cases in this one
@@ -31,9 +33,9 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
     limit    seconds after which a case is an error; kept by worker processes only
     """
     tally = ProgressLines((case.name for case in cases), tell)
-    done: dict[str, Outcome] = {}
+    done: dict[str, CaseOutcome] = {}
 
-    def keep(outcome: Outcome) -> None:
+    def keep(outcome: CaseOutcome) -> None:
         done[outcome.case.name] = outcome
         tally.ended(outcome.case.name, outcome.status, outcome.seconds)
 
@@ -47,11 +49,11 @@ def run(cases: Sequence[Case], workers: int = WORKERS, tell: Tell | None = None,
                 for number, end in ends:
                     keep(_outcome(longest_first[number], end))
     except KeyboardInterrupt as ended:
-        raise Cut(list(done.values()), code_of(ended)) from None
+        raise CutShort(list(done.values()), code_of(ended)) from None
     return [done[case.name] for case in cases]
 
 
-def _outcome(case: Case, end: Any) -> Outcome:
+def _outcome(case: Case, end: Any) -> CaseOutcome:
     if isinstance(end, Lost):
-        return Outcome(case, Findings(), "ERROR", end.reason, end.seconds)
-    return Outcome(case, *end)
+        return CaseOutcome(case, Findings(), "ERROR", end.reason, end.seconds)
+    return CaseOutcome(case, *end)

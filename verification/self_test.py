@@ -6,7 +6,7 @@ from verification.case import Case, Check
 from verification.cases.contact_law import tension_by_law
 from verification.cases.fracture import couplet
 from verification.cases.friction import incline
-from verification.outcome import Outcome, run_case
+from verification.outcome import CaseOutcome, run_case
 from verification.reference_step.speed import measure
 from verification.text import failures
 
@@ -24,7 +24,7 @@ def findings() -> Iterator[Finding]:
     yield _speed()
 
 
-def _passed(outcome: Outcome) -> str:
+def _passed(outcome: CaseOutcome) -> str:
     checks = outcome.findings.checks
     nearest = max(checks, key=lambda check: check.used)
     return (

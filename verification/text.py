@@ -8,14 +8,14 @@ from masonry.runtime.progress import duration
 from masonry.runtime.tables import columns
 from verification.case import LOOSE, UNEXPECTED, Case
 from verification.comparison import Change
-from verification.outcome import Outcome, shortcomings
+from verification.outcome import CaseOutcome, shortcomings
 
 HEADER = ("case", "row", "status", "worst error", "tolerance", "checks", "energy", "seconds")
 NUMBERS = ("worst error", "tolerance", "checks", "energy", "seconds")
 WIDTH = 118
 
 
-def row(outcome: Outcome) -> tuple[str, ...]:
+def row(outcome: CaseOutcome) -> tuple[str, ...]:
     """A case in the columns of HEADER; the error that comes nearest to its tolerance stands for all."""
     worst, ledgers = outcome.worst, outcome.findings.imbalance.values()
     return (
@@ -30,7 +30,7 @@ def row(outcome: Outcome) -> tuple[str, ...]:
     )
 
 
-def failures(outcome: Outcome) -> list[str]:
+def failures(outcome: CaseOutcome) -> list[str]:
     """Why a case does not hold, each in a sentence."""
     if outcome.holds:
         return []
@@ -38,7 +38,7 @@ def failures(outcome: Outcome) -> list[str]:
     return [f"{outcome.case.name}: {sentence}" for sentence in sentences]
 
 
-def loose(outcomes: Iterable[Outcome]) -> list[str]:
+def loose(outcomes: Iterable[CaseOutcome]) -> list[str]:
     """Checks that pass with so much to spare that they would let a mistake through."""
     return [
         f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, its tolerance is {c.tolerance:.0e}"
@@ -47,7 +47,7 @@ def loose(outcomes: Iterable[Outcome]) -> list[str]:
     ]
 
 
-def verdict(outcomes: Sequence[Outcome], seconds: float) -> str:
+def verdict(outcomes: Sequence[CaseOutcome], seconds: float) -> str:
     """All of it in one line."""
     count = {status: sum(o.status == status for o in outcomes) for status in ("PASS", "FAIL", "ERROR", "NOT BUILT")}
     checks = sum(len(o.findings.checks) for o in outcomes)
@@ -58,7 +58,7 @@ def verdict(outcomes: Sequence[Outcome], seconds: float) -> str:
     return f"{', '.join(words)}; {duration(seconds)}."
 
 
-def notes(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
+def notes(outcomes: Sequence[CaseOutcome]) -> dict[str, list[str]]:
     """Heading -> its sentences, of those that have any."""
     by_heading = {
         "Does not hold": [sentence for o in outcomes for sentence in failures(o)],

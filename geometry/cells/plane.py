@@ -12,7 +12,7 @@ from scipy.optimize import OptimizeResult, minimize
 from scipy.sparse import coo_array
 from scipy.sparse.linalg import spsolve
 
-from geometry.cells.plane_energy import MOST, Domains, Wishes, energy, tessellate
+from geometry.cells.plane_energy import MOST, Domains, PlaneTargets, energy, tessellate
 
 STAGES = ((0.30, 0.25), (0.36, 0.30))
 """Thresholds of edges and of joint segments, in h, by stage; the first alone is enough for what users are promised."""
@@ -77,7 +77,7 @@ def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> flo
     n, left = len(diagram.site), np.inf
     to_site, to_weight = np.empty((n, 2)), np.empty(n)
 
-    def value(x: np.ndarray, wishes: Wishes) -> tuple[float, np.ndarray]:
+    def value(x: np.ndarray, wishes: PlaneTargets) -> tuple[float, np.ndarray]:
         weight = x[2 * n :] if laguerre else diagram.weight
         room = diagram.corner, diagram.label, diagram.count
         total = energy(x[: 2 * n].reshape(n, 2), weight, diagram.domains, wishes, *room, to_site, to_weight)
@@ -87,7 +87,7 @@ def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> flo
 
     x = np.concatenate([diagram.site.ravel(), diagram.weight]) if laguerre else diagram.site.ravel()
     for edge, segment in STAGES:
-        wishes = Wishes(target, edge, segment, SIZES_MATTER if laguerre else 0.0, 1.0, 1.0)
+        wishes = PlaneTargets(target, edge, segment, SIZES_MATTER if laguerre else 0.0, 1.0, 1.0)
         options = {"maxfun": EVALUATIONS, "maxiter": EVALUATIONS, "maxcor": 20}
         minimum = minimize(value, x, (wishes,), "L-BFGS-B", jac=True, callback=_until_enough, options=options)
         x, left = minimum.x, float(minimum.fun)

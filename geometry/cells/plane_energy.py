@@ -35,7 +35,7 @@ class Domains(NamedTuple):
     along: np.ndarray
 
 
-class Wishes(NamedTuple):
+class PlaneTargets(NamedTuple):
     """target (n,) areas; thresholds of edges and joint segments; weights of the three sums."""
 
     target: np.ndarray

@@ -63,7 +63,7 @@ class Diagram(NamedTuple):
     wall: np.ndarray
 
 
-class Wishes(NamedTuple):
+class SpaceTargets(NamedTuple):
     """What a division should be like.
 
     target        (n,) volumes

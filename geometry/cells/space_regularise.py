@@ -19,7 +19,7 @@ from scipy.spatial import cKDTree
 
 from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import edges
-from geometry.cells.space_energy import Wishes
+from geometry.cells.space_energy import SpaceTargets
 from geometry.cells.transport import SpaceDiagram, hold_sizes, relax
 
 SMALL = 0.25
@@ -81,7 +81,7 @@ def regularise(diagram: SpaceDiagram, target: np.ndarray, laguerre: bool, rng: n
 def _descend(diagram: SpaceDiagram, target: np.ndarray, stage: Stage, laguerre: bool) -> None:
     n = diagram.count
     scale = np.clip(np.cbrt(target), 0.95, 1.0)
-    wishes = Wishes(target, scale, stage.edge, stage.of_size if laguerre else 0.0, stage.of_triangles)
+    wishes = SpaceTargets(target, scale, stage.edge, stage.of_size if laguerre else 0.0, stage.of_triangles)
 
     def value(x: np.ndarray) -> tuple[float, np.ndarray]:
         diagram.site = x[: 3 * n].reshape(n, 3).copy()

@@ -9,7 +9,7 @@ from scipy.sparse.linalg import cg
 from scipy.spatial import cKDTree
 
 from geometry.cells.domain import Domain
-from geometry.cells.space_energy import FAR, MOST_FACES, Diagram, Wishes, energy, find_horizons, measure, room
+from geometry.cells.space_energy import FAR, MOST_FACES, Diagram, SpaceTargets, energy, find_horizons, measure, room
 
 NEIGHBOURS = 48
 """Sites that are looked at first for each cell; where these may not suffice, all are."""
@@ -70,7 +70,7 @@ class SpaceDiagram:
         measure(now, self._cut, self.volume, self.centroid, self._faces, self._beyond, self._area)
         return bool(np.all(self.volume > 0))
 
-    def energy(self, wishes: Wishes, cells: np.ndarray | None = None) -> float:
+    def energy(self, wishes: SpaceTargets, cells: np.ndarray | None = None) -> float:
         """Energy of these cells (all), with its gradient in to_site and to_weight; inf where one is empty."""
         cells = np.arange(self.count) if cells is None else cells
         results = self.energy_of, self.to_site, self.to_weight

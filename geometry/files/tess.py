@@ -10,8 +10,8 @@ import numpy as np
 
 from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
-from geometry.files.tess_blocks import Faces, drawn_out, solid
-from geometry.files.tess_text import Section, read_sections
+from geometry.files.tess_blocks import TessFaces, drawn_out, solid
+from geometry.files.tess_text import TessSection, read_sections
 from geometry.polyhedra.construct import with_own_points
 from geometry.polyhedra.validate import require_sound
 
@@ -53,13 +53,13 @@ def read_tess(path: Path, unit: float = 1.0, thickness: float | None = None) -> 
     return Imported(blocks, tuple(f"cell {number}" for number in ids), None, None, tuple(notes))
 
 
-def _section(path: Path, sections: dict[str, Section], name: str) -> Section:
+def _section(path: Path, sections: dict[str, TessSection], name: str) -> TessSection:
     if name not in sections:
         raise GeometryError(f"'{path}': the section **{name} is missing")
     return sections[name]
 
 
-def _dimension(path: Path, sections: dict[str, Section]) -> int:
+def _dimension(path: Path, sections: dict[str, TessSection]) -> int:
     version = _section(path, sections, "format").words
     if not version or version[0].split(".")[0] not in ("2", "3", "4"):
         raise GeometryError(f"'{path}': format {' '.join(version)[:20]!r} is unknown; formats 2.0 to 4.x can be read")
@@ -69,14 +69,14 @@ def _dimension(path: Path, sections: dict[str, Section]) -> int:
     return int(general[0])
 
 
-def _vertices(section: Section) -> np.ndarray:
+def _vertices(section: TessSection) -> np.ndarray:
     count = section.count()
     table = section.real(5 * count).reshape(count, 5)
     _require_numbered(section, table[:, 0])
     return table[:, 1:4]
 
 
-def _faces(section: Section, vertex_count: int, unit: float) -> Faces:
+def _faces(section: TessSection, vertex_count: int, unit: float) -> TessFaces:
     count = section.count()
     corner, number, fan, middle = [], [], np.empty(count, dtype=np.int64), np.empty((count, 3))
     for f in range(count):
@@ -100,10 +100,10 @@ def _faces(section: Section, vertex_count: int, unit: float) -> Faces:
         number.append(int(corners))
     if not corner:
         raise section.error("there are no faces")
-    return Faces(np.concatenate([[0], np.cumsum(number)]), np.concatenate(corner), fan, middle)
+    return TessFaces(np.concatenate([[0], np.cumsum(number)]), np.concatenate(corner), fan, middle)
 
 
-def _polyhedra(section: Section, face_count: int) -> tuple[np.ndarray, np.ndarray]:
+def _polyhedra(section: TessSection, face_count: int) -> tuple[np.ndarray, np.ndarray]:
     """Start (B + 1,) and faces (.,) of the cells: k + 1 if face k looks outward, -(k + 1) if it looks inward."""
     count = section.count()
     signed, number = [], []
@@ -123,7 +123,7 @@ def _polyhedra(section: Section, face_count: int) -> tuple[np.ndarray, np.ndarra
     return np.concatenate([[0], np.cumsum(number)]), np.concatenate(signed)
 
 
-def _cells(section: Section, sections: dict[str, Section]) -> tuple[np.ndarray, np.ndarray]:
+def _cells(section: TessSection, sections: dict[str, TessSection]) -> tuple[np.ndarray, np.ndarray]:
     """Number and group (B,) of every cell."""
     count = int(section.whole(1)[0])
     limit = sum(s.left for s in sections.values())
@@ -134,7 +134,7 @@ def _cells(section: Section, sections: dict[str, Section]) -> tuple[np.ndarray, 
     return ids, group
 
 
-def _require_numbered(section: Section, label: np.ndarray) -> None:
+def _require_numbered(section: TessSection, label: np.ndarray) -> None:
     wrong = label != np.arange(len(label)) + 1
     if wrong.any():
         first = int(np.argmax(wrong))

@@ -18,7 +18,7 @@ SLIVER = 1e-6
 
 
 @dataclass(frozen=True)
-class Faces:
+class TessFaces:
     """Faces as the file has them: start (F + 1,), corners (.,), and the point of each that a fan starts from.
 
     fan (F,): 0 for the point `middle` (F, 3), k for the face's corner k, -1 where the file has none.
@@ -31,7 +31,7 @@ class Faces:
 
 
 def solid(
-    path: Path, vertices: np.ndarray, faces: Faces, cell_start: np.ndarray, signed: np.ndarray
+    path: Path, vertices: np.ndarray, faces: TessFaces, cell_start: np.ndarray, signed: np.ndarray
 ) -> tuple[Blocks, list[str]]:
     """Blocks of a tessellation in space; a face that two cells share is cut up once, for both."""
     points, piece_start, start, corner, notes = _flat_pieces(path, vertices, faces)
@@ -66,7 +66,7 @@ def _outward(blocks: Blocks) -> Blocks:
 
 
 def _flat_pieces(
-    path: Path, vertices: np.ndarray, faces: Faces
+    path: Path, vertices: np.ndarray, faces: TessFaces
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, list[str]]:
     """Points, and the flat convex pieces of each face: piece_start (F + 1,), start and corners of the pieces."""
     polygon, count = pad(vertices, faces.start, faces.corner)
@@ -127,13 +127,13 @@ def _cut(path: Path, face: int, corners: np.ndarray) -> np.ndarray:
         raise GeometryError(f"'{path}', face {face + 1}: {error}") from None
 
 
-def drawn_out(path: Path, vertices: np.ndarray, faces: Faces, thickness: float) -> tuple[Blocks, list[str]]:
+def drawn_out(path: Path, vertices: np.ndarray, faces: TessFaces, thickness: float) -> tuple[Blocks, list[str]]:
     """Blocks of a plane tessellation: every face is a cell, seen from y-, and goes through to y = thickness."""
     if np.ptp(vertices[:, 2]) > FLAT * np.ptp(vertices[:, :2]):
         raise GeometryError(f"'{path}' is a plane tessellation, but its z coordinates differ")
     flat = np.column_stack([vertices[:, 0], np.zeros(len(vertices)), vertices[:, 1]])
     points = np.concatenate([flat, flat + [0.0, thickness, 0.0]])
-    fronts = Faces(faces.start, faces.corner, np.full(len(faces.fan), -1), faces.middle)
+    fronts = TessFaces(faces.start, faces.corner, np.full(len(faces.fan), -1), faces.middle)
     _, piece_start, start, corner, notes = _flat_pieces(path, flat, fronts)
     loops, number = [], []
     for f in range(len(faces.start) - 1):

@@ -18,7 +18,7 @@ WORDS = ("format", "general")
 NUMBERS = ("cell", "cell.id", "cell.group", "vertex", "edge", "face", "polyhedron")
 
 
-class Section:
+class TessSection:
     """The numbers of one section, taken from front to back; complaints name the line."""
 
     def __init__(self, path: Path, name: str, line: int) -> None:
@@ -81,11 +81,11 @@ class Section:
         return GeometryError(f"'{self.path}', line {line}: {what} (**{self.name})")
 
 
-def read_sections(path: Path) -> dict[str, Section]:
+def read_sections(path: Path) -> dict[str, TessSection]:
     """Sections that blocks are made of, by name ("cell.id" is *id within **cell); GeometryError for another file."""
     require_file(path, LARGEST)
-    sections: dict[str, Section] = {}
-    section: Section | None = None
+    sections: dict[str, TessSection] = {}
+    section: TessSection | None = None
     top, number, ended = "", 0, False
     with open(path, encoding="ascii", errors="replace") as file:
         while text := file.readline(LONGEST_LINE):
@@ -109,7 +109,9 @@ def read_sections(path: Path) -> dict[str, Section]:
     return sections
 
 
-def _open(path: Path, number: int, word: str, top: str, sections: dict[str, Section]) -> tuple[str, Section | None]:
+def _open(
+    path: Path, number: int, word: str, top: str, sections: dict[str, TessSection]
+) -> tuple[str, TessSection | None]:
     """The section that a line with stars begins, or None if it is passed over."""
     if word.startswith("***"):
         return "", None
@@ -122,7 +124,7 @@ def _open(path: Path, number: int, word: str, top: str, sections: dict[str, Sect
         return top, None
     if name in sections:
         raise GeometryError(f"'{path}', line {number}: a second section {word!r}")
-    sections[name] = Section(path, name, number)
+    sections[name] = TessSection(path, name, number)
     return top, sections[name]
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints, TetMesh
-from geometry.meshes.nonmatching_pieces import Pieces, find_pieces
+from geometry.meshes.nonmatching_pieces import OverlapPieces, find_pieces
 from geometry.polyhedra.indexing import ranges
 from geometry.polyhedra.polygons import unpad
 
@@ -47,7 +47,7 @@ def surface_joints(blocks: Blocks, joints: Joints, mesh: TetMesh) -> Joints:
     return _joined(joints, pieces, parts)
 
 
-def _matched(joints: Joints, pieces: Pieces) -> np.ndarray:
+def _matched(joints: Joints, pieces: OverlapPieces) -> np.ndarray:
     """(J,) whether every overlap in a joint polygon is a whole triangle on each side that has tets."""
     whole = np.ones(len(pieces.area), dtype=bool)
     for side in (0, 1):
@@ -59,7 +59,7 @@ def _matched(joints: Joints, pieces: Pieces) -> np.ndarray:
     return every
 
 
-def _at_nodes(joints: Joints, pieces: Pieces, matched: np.ndarray, of_parent: np.ndarray) -> Values:
+def _at_nodes(joints: Joints, pieces: OverlapPieces, matched: np.ndarray, of_parent: np.ndarray) -> Values:
     """Points at the nodes of matched joint polygons (J,): a third of each triangle to each of its corners."""
     which = np.flatnonzero(matched[pieces.parent])
     node = [pieces.nodes[pieces.faces[which, side]] for side in (0, 1)]
@@ -81,7 +81,7 @@ def _at_nodes(joints: Joints, pieces: Pieces, matched: np.ndarray, of_parent: np
     return columns | _nothing_between(len(unique))
 
 
-def _between_nodes(joints: Joints, pieces: Pieces, which: np.ndarray, of_parent: np.ndarray) -> Values:
+def _between_nodes(joints: Joints, pieces: OverlapPieces, which: np.ndarray, of_parent: np.ndarray) -> Values:
     """Points in the overlaps `which` of triangles that do not match: three in each triangle of a fan (to degree 2)."""
     owner, k = ranges(np.ones(len(which), dtype=np.int64), pieces.count[which] - 2)
     q = which[owner]
@@ -123,7 +123,7 @@ def _nothing_between(count: int) -> Values:
     return {"corner_a": corner, "share_a": fraction, "corner_b": corner, "share_b": fraction}
 
 
-def _joined(joints: Joints, pieces: Pieces, parts: list[Values]) -> Joints:
+def _joined(joints: Joints, pieces: OverlapPieces, parts: list[Values]) -> Joints:
     """All parts in the order of polygons; patches count through those of joints, then the pieces."""
     values: dict[str, Any] = {name: np.concatenate([part[name] for part in parts]) for name in (*PER_CONTACT, *BETWEEN)}
     order = np.argsort(values["patch"], kind="stable")

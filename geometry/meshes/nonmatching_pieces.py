@@ -19,7 +19,7 @@ WIDTH = 1e-9
 
 
 @dataclass(frozen=True)
-class Pieces:
+class OverlapPieces:
     """Overlap polygons of the surface triangles and faces of blocks that touch.
 
     corner, count  (Q, K, 3) m and (Q,) padded polygons
@@ -46,7 +46,7 @@ class Pieces:
         return self.tet_nodes[self.nodes[self.faces[:, side]]]
 
 
-def find_pieces(blocks: Blocks, joints: Joints, mesh: TetMesh) -> Pieces:
+def find_pieces(blocks: Blocks, joints: Joints, mesh: TetMesh) -> OverlapPieces:
     """Every overlap of two triangles, or of a triangle and a face; joints are those of the blocks themselves.
 
     Raises GeometryError if the tets reach beyond the faces of their block, or do not fill them.
@@ -56,7 +56,7 @@ def find_pieces(blocks: Blocks, joints: Joints, mesh: TetMesh) -> Pieces:
     corner, count = pad(fine.patch_points, fine.patch_start, np.arange(len(fine.patch_points)))
     area, _, middle = areas_normals_centroids(corner)
     parent = _parents(joints, fine, middle, WIDTH * extent(blocks))
-    pieces = Pieces(corner, count, area, parent, faces, nodes, mesh.nodes)
+    pieces = OverlapPieces(corner, count, area, parent, faces, nodes, mesh.nodes)
     _require_covered(joints, pieces)
     return pieces
 
@@ -121,7 +121,7 @@ def _parents(joints: Joints, fine: Joints, middle: np.ndarray, width: float) -> 
     return parent
 
 
-def _require_covered(joints: Joints, pieces: Pieces) -> None:
+def _require_covered(joints: Joints, pieces: OverlapPieces) -> None:
     touched = np.bincount(pieces.parent, pieces.meshed(0) | pieces.meshed(1), len(joints.patch_start) - 1) > 0
     whole = np.bincount(joints.patch, joints.area, len(touched))
     covered = np.bincount(pieces.parent, pieces.area, len(touched))

@@ -14,7 +14,7 @@ TABLE = 4_000_000
 
 
 @dataclass(frozen=True)
-class Solid:
+class ConvexSolid:
     """One block by itself: convex faces, their outward normals, and all their triangles (T, 3, 3)."""
 
     faces: list[np.ndarray]
@@ -22,7 +22,7 @@ class Solid:
     triangles: np.ndarray
 
 
-def solid(blocks: Blocks, block: int) -> Solid:
+def solid(blocks: Blocks, block: int) -> ConvexSolid:
     """The block with this number."""
     first, last = blocks.block_face_start[block : block + 2]
     start = blocks.face_start[first : last + 1]
@@ -31,7 +31,7 @@ def solid(blocks: Blocks, block: int) -> Solid:
     face = np.repeat(np.arange(len(count)), count - 2)
     triangles = corners[face[:, None], np.stack([np.zeros_like(second), second + 1, second + 2], axis=1)]
     faces = [polygon[:n] for polygon, n in zip(corners, count.tolist(), strict=True)]
-    return Solid(faces, areas_normals_centroids(corners)[1], triangles)
+    return ConvexSolid(faces, areas_normals_centroids(corners)[1], triangles)
 
 
 def are_convex(blocks: Blocks, width: float) -> np.ndarray:
@@ -77,7 +77,7 @@ def _turns_outwards(blocks: Blocks, b: int, normal: np.ndarray, offset: np.ndarr
     return True
 
 
-def shared_place(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
+def shared_place(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray | None:
     """A place (3,) m where two solids share space, None if they have no more in common than faces, edges and corners
     that touch within depth (m).
 
@@ -89,7 +89,7 @@ def shared_place(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
     return _entry(two, one, depth) if place is None else place
 
 
-def _entry(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
+def _entry(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray | None:
     boxes, others = _boxes(one.faces), _boxes(two.faces)
     near = _meet(boxes, (others[0].min(axis=0), others[1].max(axis=0)))
     for f in near:
@@ -107,9 +107,9 @@ def _entry(one: Solid, two: Solid, depth: float) -> np.ndarray | None:
     return None
 
 
-def moved(block: Solid, step: np.ndarray) -> Solid:
+def moved(block: ConvexSolid, step: np.ndarray) -> ConvexSolid:
     """The solid, moved by a step (3,) m."""
-    return Solid([face + step for face in block.faces], block.normals, block.triangles + step)
+    return ConvexSolid([face + step for face in block.faces], block.normals, block.triangles + step)
 
 
 def _boxes(faces: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
@@ -140,7 +140,7 @@ def _cut(polygon: np.ndarray, normal: np.ndarray, origin: np.ndarray, depth: flo
     return parts
 
 
-def _faces_at(block: Solid, among: np.ndarray, point: np.ndarray, depth: float) -> np.ndarray:
+def _faces_at(block: ConvexSolid, among: np.ndarray, point: np.ndarray, depth: float) -> np.ndarray:
     """Those of some faces that pass the point within depth, by their numbers."""
     faces = []
     for f in among.tolist():
@@ -163,7 +163,7 @@ def holds(blocks: Blocks, block: int, point: np.ndarray, width: float) -> bool:
     return bool(len(_faces_at(one, np.arange(len(one.faces)), point, width))) or is_inside(one, point)
 
 
-def is_inside(block: Solid, point: np.ndarray) -> bool:
+def is_inside(block: ConvexSolid, point: np.ndarray) -> bool:
     """Whether the point is inside the block: the solid angles of all its triangles add up to 4 pi (Van Oosterom)."""
     a, b, c = (block.triangles[:, k] - point for k in range(3))
     la, lb, lc = (np.linalg.norm(v, axis=1) for v in (a, b, c))

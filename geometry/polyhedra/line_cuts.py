@@ -7,7 +7,7 @@ import numpy as np
 
 
 @dataclass(frozen=True)
-class Pieces:
+class LinePieces:
     """Pieces of a line in bodies.
 
     body    (n,) number of the body     middle  (n, 3) m, of the piece
@@ -19,7 +19,7 @@ class Pieces:
     fraction: np.ndarray
 
 
-def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None], width: float) -> Pieces:
+def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None], width: float) -> LinePieces:
     """The pieces of a line, or of a point, in convex bodies {p: normal . p <= level}; none where it misses them all.
 
     normal (n, k, 3), level (n, k) m: planes of each body, outward unit normals; repeat one where a body has fewer
@@ -30,7 +30,7 @@ def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None],
     room = level + width - normal @ start
     if None not in place:
         body = np.flatnonzero((room >= 0.0).all(axis=1))
-        return Pieces(body, np.tile(start, (len(body), 1)), np.full(len(body), 1.0 / max(len(body), 1)))
+        return LinePieces(body, np.tile(start, (len(body), 1)), np.full(len(body), 1.0 / max(len(body), 1)))
     axis = list(place).index(None)
     slope = normal[:, :, axis]
     level_on = np.abs(slope) < 1e-9
@@ -50,4 +50,4 @@ def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None],
     middle = np.tile(start, (len(which), 1))
     middle[:, axis] = 0.5 * (begin + end)[k]
     length = (end - begin)[k] / holds.sum(axis=0)[k]
-    return Pieces(body[which], middle, length / max(length.sum(), 1e-300))
+    return LinePieces(body[which], middle, length / max(length.sum(), 1e-300))

@@ -8,7 +8,7 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.construct import selected
-from geometry.polyhedra.intersect import Solid, are_convex, moved, shared_place, solid
+from geometry.polyhedra.intersect import ConvexSolid, are_convex, moved, shared_place, solid
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, cut, pad
 
@@ -152,12 +152,12 @@ def _of_solids(blocks: Blocks, a: int, b: int, depth: float, closely: bool) -> O
     return Overlap(a, b, least, axis, _middle_of_boxes(blocks, a, b) if place is None else place)
 
 
-def _part(one: Solid, two: Solid, step: np.ndarray, depth: float) -> bool:
+def _part(one: ConvexSolid, two: ConvexSolid, step: np.ndarray, depth: float) -> bool:
     """Whether the second solid, moved by a step (3,) m, is out of the first one."""
     return shared_place(one, moved(two, step), depth) is None
 
 
-def _shortest(one: Solid, two: Solid, normal: np.ndarray, longest: float, depth: float) -> float:
+def _shortest(one: ConvexSolid, two: ConvexSolid, normal: np.ndarray, longest: float, depth: float) -> float:
     """The shortest move (m) along a normal that parts two solids, found by halving."""
     low, high = 0.0, longest
     for _ in range(HALVINGS):

@@ -53,7 +53,7 @@ class Hole:
     right: np.ndarray
 
 
-class Wall(NamedTuple):
+class CoursedWall(NamedTuple):
     """What an opening is cut into: courses, their rise and the length of a module (m)."""
 
     coursing: Coursing
@@ -65,7 +65,7 @@ class Wall(NamedTuple):
         return len(self.coursing.cuts) * self.rise
 
 
-def holes(opening: Opening, wall: Wall, bearing: float) -> list[Hole]:
+def holes(opening: Opening, wall: CoursedWall, bearing: float) -> list[Hole]:
     """What an opening and its head take out of the courses."""
     first, top = course_of(opening, wall)
     sides = np.array([opening.left, opening.left + opening.width])
@@ -77,7 +77,7 @@ def holes(opening: Opening, wall: Wall, bearing: float) -> list[Hole]:
     return [*cuts, Hole(top, sides[0] - reach, sides[1] + reach)]
 
 
-def course_of(opening: Opening, wall: Wall) -> tuple[int, int]:
+def course_of(opening: Opening, wall: CoursedWall) -> tuple[int, int]:
     """The first course of an opening, and the one above it."""
     words = f"of opening '{opening.name}'"
     first = course_count(f"sill {words}", opening.sill, wall.rise) if opening.sill else 0
@@ -109,7 +109,7 @@ def pieces(cuts: np.ndarray, course: int, cut_out: Sequence[Hole], least: float)
     return np.array(outlines).reshape(-1, 4)
 
 
-def bearing_of(opening: Opening, wall: Wall) -> float:
+def bearing_of(opening: Opening, wall: CoursedWall) -> float:
     """The bearing of a lintel (m), given or chosen."""
     if opening.bearing is not None or opening.head != "lintel":
         return opening.bearing or 0.0
@@ -117,7 +117,7 @@ def bearing_of(opening: Opening, wall: Wall) -> float:
     return min(fitting, key=lambda b: _in_line(opening, wall, b), default=BEARINGS[0] * wall.module)
 
 
-def _in_line(opening: Opening, wall: Wall, bearing: float) -> int:
+def _in_line(opening: Opening, wall: CoursedWall, bearing: float) -> int:
     """How many ends of a lintel stand above or below a head joint."""
     _, first = course_of(opening, wall)
     ends = opening.left - bearing, opening.left + opening.width + bearing
@@ -125,7 +125,7 @@ def _in_line(opening: Opening, wall: Wall, bearing: float) -> int:
     return sum(int(np.abs(wall.coursing.cuts[c] - end).min() < NEAR * wall.module) for c in beside for end in ends)
 
 
-def _fault(opening: Opening, wall: Wall, bearing: float) -> str | None:
+def _fault(opening: Opening, wall: CoursedWall, bearing: float) -> str | None:
     """What is wrong with the pieces that an opening leaves, or with its place in the wall; None if nothing is."""
     cut_out = holes(opening, wall, bearing)
     begin, end = wall.coursing.inner
@@ -147,7 +147,7 @@ def _fault(opening: Opening, wall: Wall, bearing: float) -> str | None:
     return None
 
 
-def require_fit(opening: Opening, wall: Wall) -> None:
+def require_fit(opening: Opening, wall: CoursedWall) -> None:
     """GeometryError for an opening that cannot stand in this wall, with the nearest that can."""
     where = f"wall: opening '{opening.name}'"
     first, top = course_of(opening, wall)
@@ -184,7 +184,7 @@ def require_fit(opening: Opening, wall: Wall) -> None:
         )
 
 
-def _nearest(opening: Opening, wall: Wall) -> str:
+def _nearest(opening: Opening, wall: CoursedWall) -> str:
     """The nearest place and width, in quarters of a module, at which an opening fits, in words."""
     begin, end = wall.coursing.inner
     step = LEAST * wall.module
@@ -203,7 +203,7 @@ def _nearest(opening: Opening, wall: Wall) -> str:
     return "and there is no place for one so wide with such a head"
 
 
-def require_apart(opening: Sequence[Opening], wall: Wall) -> None:
+def require_apart(opening: Sequence[Opening], wall: CoursedWall) -> None:
     """Openings, their heads included, leave a quarter of a unit between them, or GeometryError."""
     least = LEAST * wall.module
     boxes = [
@@ -222,7 +222,7 @@ def require_apart(opening: Sequence[Opening], wall: Wall) -> None:
                 )
 
 
-def flat_arch(opening: Opening, wall: Wall) -> list[np.ndarray]:
+def flat_arch(opening: Opening, wall: CoursedWall) -> list[np.ndarray]:
     """Outlines (4, 2) m, x and z, of the voussoirs of a flat arch, from left to right."""
     low, rise = opening.sill + opening.height, opening.head_courses * wall.rise
     middle, half = opening.left + 0.5 * opening.width, 0.5 * opening.width

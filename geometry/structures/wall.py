@@ -13,9 +13,9 @@ from geometry.structures.coursing import Coursing, cornered, course_count, retur
 from geometry.structures.gathering import Gathering
 from geometry.structures.openings import (
     LEAST,
+    CoursedWall,
     Hole,
     Opening,
-    Wall,
     bearing_of,
     course_of,
     flat_arch,
@@ -68,7 +68,7 @@ def wall(
     if bond in ("english", "flemish"):
         require_width(bond, unit_length, joint_thickness, unit_width)
     coursing = cornered(courses, length, module, corners) if any(corners) else straight(bond, courses, length, module)
-    into = Wall(coursing, rise, module)
+    into = CoursedWall(coursing, rise, module)
     built = Gathering()
     course = [_add_facade(built, into, _holes(opening, into), thickness)]
     for side, thick in enumerate(corners):
@@ -118,7 +118,7 @@ def _corners(
     return thick if returns != "right" else 0.0, thick if returns != "left" else 0.0
 
 
-def _holes(opening: Sequence[Opening], into: Wall) -> list[Hole]:
+def _holes(opening: Sequence[Opening], into: CoursedWall) -> list[Hole]:
     """What all openings take out of the courses, once it is known that they fit."""
     names = [one.name for one in opening]
     for one in opening:
@@ -137,7 +137,7 @@ def _holes(opening: Sequence[Opening], into: Wall) -> list[Hole]:
     return sorted(cuts, key=lambda hole: float(hole.left.min()))
 
 
-def _add_facade(built: Gathering, into: Wall, cut_out: Sequence[Hole], thickness: float) -> np.ndarray:
+def _add_facade(built: Gathering, into: CoursedWall, cut_out: Sequence[Hole], thickness: float) -> np.ndarray:
     """Units of the facade; returns the course of each."""
     least, loops, course = LEAST * into.module, [], []
     for c, cuts in enumerate(into.coursing.cuts):
@@ -177,7 +177,7 @@ def _ends(blocks: Blocks, course: np.ndarray, sides: tuple[float, float], near: 
     }
 
 
-def _add_head(built: Gathering, one: Opening, into: Wall, thickness: float) -> None:
+def _add_head(built: Gathering, one: Opening, into: CoursedWall, thickness: float) -> None:
     """The lintel or the flat arch of an opening, and its sets."""
     if one.head == "lintel":
         bearing, (_, top) = bearing_of(one, into), course_of(one, into)

@@ -6,7 +6,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
 from geometry.joints.boundary import surface_nodes
-from geometry.polyhedra.line_cuts import Pieces, pieces
+from geometry.polyhedra.line_cuts import LinePieces, pieces
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 from geometry.polyhedra.polygons import pad
 from masonry.assembly.conditions import select
@@ -98,7 +98,7 @@ def _between_nodes(mesh: TetMesh, place: list[float | None], width: float) -> tu
     steep = np.linalg.norm(gradient, axis=2)
     normal = -gradient / steep[:, :, None]
     level = np.einsum("tki,tki->tk", normal, np.roll(corner, 1, axis=1))
-    cut: Pieces = pieces(normal, level, place, width)
+    cut: LinePieces = pieces(normal, level, place, width)
     arm = cut.middle[:, None] - corner[cut.body]
     weight = 1.0 + np.einsum("nki,nki->nk", gradient[cut.body], arm)
     return mesh.tets[cut.body].ravel(), (cut.fraction[:, None] * weight).ravel()

@@ -54,7 +54,7 @@ def import_blocks(words: argparse.Namespace) -> int:
     from masonry.quantity import parse
     from masonry.runtime.tables import aligned
 
-    wishes = importing.Wishes(
+    wishes = importing.ImportSettings(
         unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
         tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
         thickness=None if words.thickness is None else parse(words.thickness, "length", "--thickness", "[1e-9, 1e5]"),

@@ -41,7 +41,7 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     from masonry import scene
-    from masonry.limit_analysis.analysis import Wishes, analyse
+    from masonry.limit_analysis.analysis import LimitSettings, analyse
     from masonry.limit_analysis.expected import LimitProgress
     from masonry.quantity import parse
     from masonry.runtime.folder import claimed, scene_name, writing
@@ -52,7 +52,7 @@ def main(arguments: list[str] | None = None) -> int:
     if words.linear is not None and not 3 <= words.linear <= 1000:
         raise SceneError(f"--linear {words.linear}: a number of sides from 3 to 1000")
     crushing = None if words.crushing is None else parse(words.crushing, "stress", "--crushing", "(0, 1e15]")
-    wishes = Wishes(
+    wishes = LimitSettings(
         dilation=not words.no_dilation, strength=not words.no_strength, safety=words.safety, at=words.at,
         crushing=crushing, points=words.points, sides=words.linear or 0,
     )  # fmt: skip

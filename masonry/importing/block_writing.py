@@ -17,7 +17,7 @@ from geometry.polyhedra.validate import require_sound
 from geometry.specimens.from_arrays import polyhedra
 from masonry.errors import SceneError
 from masonry.importing.hints import ways_out, with_ways_out
-from masonry.importing.importing import FLAT, SUFFIX, Wishes
+from masonry.importing.importing import FLAT, SUFFIX, ImportSettings
 from masonry.importing.named_sets import SECTIONS, section_of, sets_of
 from masonry.quantity import parse
 
@@ -51,7 +51,7 @@ def write_blocks(
     width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
     area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
     build = partial(polyhedra, solids, called, of_unit, of_group)
-    mended = _mended(build, Wishes(tolerance=width, open_gaps=open_gaps), called)
+    mended = _mended(build, ImportSettings(tolerance=width, open_gaps=open_gaps), called)
     sound = mended.blocks
     require_sound(sound)
     _require_own_names(sound, named)
@@ -99,10 +99,10 @@ def _for_each(values: Any, count: int, what: str, kind: type, example: Any) -> l
     return items
 
 
-def _mended(build: Callable[[float], Blocks], wishes: Wishes, names: Sequence[str]) -> Mended:
+def _mended(build: Callable[[float], Blocks], wishes: ImportSettings, names: Sequence[str]) -> Mended:
     """The blocks that `build` makes where faces count as flat within a length (m), mended as by an import."""
 
-    def attempt(wishes: Wishes) -> Mended:
+    def attempt(wishes: ImportSettings) -> Mended:
         refused: GeometryError | None = None
         for share in FLAT:
             try:

@@ -46,7 +46,7 @@ UPWARD = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
 
 
 @dataclass(frozen=True)
-class Wishes:
+class ImportSettings:
     """What the user says of a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all m),
     groups, section (m2); the axis that points up; the widest hole of a surface that is closed (m); the widest gap over
     which faces make a joint (m), and the angle (rad) within which they look at each other."""
@@ -65,7 +65,7 @@ class Wishes:
 
 
 @dataclass(frozen=True)
-class Report:
+class ImportReport:
     """What was imported: the specimen, its joints, what was mended, sentences of the reader, what the section is."""
 
     specimen: Specimen
@@ -77,7 +77,7 @@ class Report:
     section_is: str
 
 
-def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False) -> Report:
+def import_file(source: Path, out: Path, wishes: ImportSettings, overwrite: bool = False) -> ImportReport:
     """Read source, mend it, and write the scene `out` with its blocks beside it.
 
     Raises SceneError or GeometryError with one message; then nothing is written.
@@ -112,7 +112,7 @@ def import_file(source: Path, out: Path, wishes: Wishes, overwrite: bool = False
         save_blocks(target, specimen, solids.mesh)
     notes = (*solids.notes, *_lone(blocks))
     words = section_words(blocks, wishes.section)
-    return Report(specimen, joints, mended, names, notes, (out, target), words)
+    return ImportReport(specimen, joints, mended, names, notes, (out, target), words)
 
 
 def _lone(blocks) -> list[str]:
@@ -132,7 +132,7 @@ class Reading:
         self.source, self.reader = source, reader
         self._read: dict[str, Imported] = {}
 
-    def __call__(self, wishes: Wishes, flat: float = 0.0) -> tuple[Imported, tuple[str, ...]]:
+    def __call__(self, wishes: ImportSettings, flat: float = 0.0) -> tuple[Imported, tuple[str, ...]]:
         """The blocks of the file and their names; flat (m): faces of surfaces that are flat within it are flat."""
         words: dict[str, Any] = {} if wishes.unit is None else {"unit": wishes.unit}
         words |= _words_of_one_kind(self.source, self.reader, wishes)
@@ -146,7 +146,9 @@ class Reading:
         return grouped(solids, names, wishes.groups), names
 
 
-def joined_up(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended | None, JointPolygons | None]:
+def joined_up(
+    read: Reading, wishes: ImportSettings
+) -> tuple[Imported, tuple[str, ...], Mended | None, JointPolygons | None]:
     """The solids of a file, their names, and what was mended, or the joints that were laid over gaps."""
     if wishes.gap is not None:
         solids, names = read(wishes)
@@ -160,7 +162,7 @@ def joined_up(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...],
     return solids, names, None, None
 
 
-def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: Wishes) -> dict[str, Any]:
+def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: ImportSettings) -> dict[str, Any]:
     """What only readers of one kind of file understand. Raises SceneError where another kind is given it."""
     words: dict[str, Any] = {}
     if wishes.facet is not None and reader[0] == "geometry.files.cad":
@@ -185,7 +187,7 @@ def upright(solids: Imported, up: str) -> Imported:
     return replace(solids, blocks=replace(solids.blocks, points=solids.blocks.points[:, order]), mesh=mesh)
 
 
-def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str, ...], Mended]:
+def _mended_surfaces(read: Reading, wishes: ImportSettings) -> tuple[Imported, tuple[str, ...], Mended]:
     """The bodies of a surface, their names, and how they were mended.
 
     Faces count as flat within the tolerance; where blocks cannot be mended so, as faces that are slightly bent need not
@@ -204,7 +206,7 @@ def _mended_surfaces(read: Reading, wishes: Wishes) -> tuple[Imported, tuple[str
     raise refused
 
 
-def bridged(solids: Imported, names: Sequence[str], wishes: Wishes) -> JointPolygons:
+def bridged(solids: Imported, names: Sequence[str], wishes: ImportSettings) -> JointPolygons:
     """The joints over gaps of up to `wishes.gap`, between blocks that overlap by no more than the tolerance.
 
     Raises GeometryError for deeper overlaps, and where nothing is near anything.

@@ -5,10 +5,10 @@ import numpy as np
 from geometry.blocks import JointPolygons
 from geometry.joints.gaps import LISTED, Facing, described
 from geometry.polyhedra.measures import bounds, volumes
-from masonry.importing.importing import Report
+from masonry.importing.importing import ImportReport
 
 
-def report_text(report: Report) -> list[tuple[str, list[str]]]:
+def report_text(report: ImportReport) -> list[tuple[str, list[str]]]:
     """Rows of a table: groups with counts and volumes, joints, gaps and overlaps, files, notes."""
     blocks, volume = report.specimen.blocks, volumes(report.specimen.blocks)
     rows = [
@@ -34,7 +34,7 @@ def report_text(report: Report) -> list[tuple[str, list[str]]]:
     return table
 
 
-def _alone(report: Report) -> list[str]:
+def _alone(report: ImportReport) -> list[str]:
     """Blocks that touch nothing, where there are others."""
     touching = np.union1d(report.joints.block_a, report.joints.block_b)
     alone = np.setdiff1d(np.arange(report.specimen.blocks.count), touching)
@@ -64,7 +64,7 @@ def _bridged(joints: JointPolygons) -> list[str]:
     return [*lines, "the joints lie half way; the blocks stay as they are"]
 
 
-def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
+def _mended_rows(report: ImportReport) -> list[tuple[str, list[str]]]:
     mended = report.mended
     assert mended is not None
     rows = [("mended", _counted(report, mended.gaps) or ["nothing: no gaps and no overlaps"])]
@@ -80,7 +80,7 @@ def _mended_rows(report: Report) -> list[tuple[str, list[str]]]:
     return rows
 
 
-def _counted(report: Report, facing: Facing) -> list[str]:
+def _counted(report: ImportReport, facing: Facing) -> list[str]:
     gaps, overlaps = int(np.sum(facing.size > 0)), int(np.sum(facing.size < 0))
     if gaps + overlaps == 0:
         return []

@@ -24,7 +24,7 @@ from masonry.scene import Scene
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import without_dilation
 from masonry.statics.plane import plane_of
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
 from masonry.statics.tilted import tilt_factor
@@ -35,7 +35,7 @@ LESS = 0.005
 
 
 @dataclass(frozen=True)
-class Wishes:
+class LimitSettings:
     """How a scene is analysed.
 
     dilation  False: friction without dilation, which gives no bound
@@ -71,7 +71,9 @@ class Wishes:
             raise SceneError("--at is the load factor of --safety; add --safety")
 
 
-def analyse(scene: Scene, wishes: Wishes = Wishes(), progress: LimitProgress | None = None) -> LimitResult:
+def analyse(
+    scene: Scene, wishes: LimitSettings = LimitSettings(), progress: LimitProgress | None = None
+) -> LimitResult:
     """The limit analysis of a scene; `progress` is told what it takes, and how far it is.
 
     Raises SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
@@ -103,7 +105,9 @@ def analyse(scene: Scene, wishes: Wishes = Wishes(), progress: LimitProgress | N
     return result
 
 
-def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
+def _set_factor(
+    result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method, wishes: LimitSettings
+) -> None:
     if wishes.dilation:
         solution = _with_dilation(loads, contacts, method)
     else:
@@ -144,7 +148,7 @@ def _set_factor(result: LimitResult, loads: Loads, contacts: Contacts, method: M
         result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
 
 
-def _with_dilation(loads: Loads, contacts: Contacts, method: Method) -> Solution:
+def _with_dilation(loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
     if loads.steady is None:
         return largest_factor(loads.bodies, contacts, method, _range(loads))
     return tilt_factor(loads.bodies, contacts, loads.steady, method)
@@ -155,7 +159,9 @@ def _range(loads: Loads) -> Range:
     return UPWARD if loads.bodies.together is None else ANY
 
 
-def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: Method, wishes: Wishes) -> None:
+def _set_safety(
+    result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method, wishes: LimitSettings
+) -> None:
     loaded = loads.at(wishes.at)
     if not (loaded.dead[loaded.free] != 0.0).any():
         raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
@@ -173,7 +179,7 @@ def _set_safety(result: LimitResult, loads: Loads, contacts: Contacts, method: M
     )
 
 
-def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, method: Method) -> None:
+def _require_standing(specimen: Specimen, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:
     """The dead loads alone must be balanced."""
     if not (bodies.dead[bodies.free] != 0.0).any():
         return
@@ -187,7 +193,7 @@ def _require_standing(specimen: Specimen, bodies: Bodies, contacts: Contacts, me
     raise SceneError(f"it cannot stand under its dead loads: {balanced}, and {what} is the first to move")
 
 
-def _points_word(scene: Scene, wishes: Wishes) -> str:
+def _points_word(scene: Scene, wishes: LimitSettings) -> str:
     if wishes.points == "corners":
         return "the corners of the joints, which bear what any pressure without tension bears"
     return f"those of the scene ({scene.specimen.contact_points})"

@@ -11,7 +11,7 @@ from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
 from masonry.scene.tables.points import PerAxis
 from masonry.statics.crushing import crushing_of
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 
 POINTS = ("corners", "scene")
 DILATES = 0.99
@@ -37,7 +37,7 @@ def touching(scene: Scene, points: str = "corners") -> tuple[Specimen, Joints]:
 
 def contacts_of(
     scene: Scene, specimen: Specimen, joints: Joints, strength: bool = True, crushing: float | None = None
-) -> Contacts:
+) -> RigidContacts:
     """What each contact point bears: Coulomb friction; cohesion and tension on its area, as plastic strengths.
 
     strength  False leaves out cohesion and tension, and takes the friction that is left once they are gone
@@ -52,7 +52,7 @@ def contacts_of(
         if (rows[~solid, 2] > 0.0).any():
             raise SceneError("--crushing is for joints without tensile strength; add --no-strength")
         crush = crushing_of(joints, crushing, ~solid)
-    return Contacts(
+    return RigidContacts(
         *(joints.block_a, joints.block_b, joints.point, joints.normal, joints.patch, joints.area),
         *(rows[:, 0], rows[:, 1] * joints.area, rows[:, 2] * joints.area, solid, crush),
     )
@@ -79,7 +79,7 @@ def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
     return True
 
 
-def sliding_fraction(bodies: Bodies, contacts: Contacts, solution: Solution) -> float:
+def sliding_fraction(bodies: RigidBodies, contacts: RigidContacts, solution: Solution) -> float:
     """Work of shear forces on the slip of a mechanism, over the work of all loads on it; whatever its sign."""
     speeds = []
     for block in (contacts.block_a, contacts.block_b):

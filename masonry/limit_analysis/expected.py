@@ -4,7 +4,7 @@ import time
 
 from masonry.runtime.progress import Progress, duration
 from masonry.runtime.shell import tell
-from masonry.statics.problem import Contacts
+from masonry.statics.problem import RigidContacts
 from masonry.statics.solve import Method
 
 POINTS, SECONDS, GROWTH = 28_881, 24.0, 2.0
@@ -24,7 +24,7 @@ def seconds_expected(points: int, sides: int) -> float:
     return float(SECONDS * (points / POINTS) ** GROWTH)
 
 
-def size_words(contacts: Contacts, method: Method, dilation: bool) -> str:
+def size_words(contacts: RigidContacts, method: Method, dilation: bool) -> str:
     """The size and what it takes, where it takes long; else nothing."""
     seconds = seconds_expected(contacts.count, method.sides)
     if seconds < LONG:

@@ -13,7 +13,7 @@ from masonry.model.layout import Layout, lay_out
 from masonry.model.loads import Conditions
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
-from masonry.statics.problem import Bodies
+from masonry.statics.problem import RigidBodies
 
 PATTERNS = "a table [limit] says what grows, for example pattern = 'weight', direction = 'x'"
 
@@ -25,12 +25,12 @@ class Loads:
     steady  (B, 6) the dead loads that do not turn where gravity is tilted; None where nothing is
     """
 
-    bodies: Bodies
+    bodies: RigidBodies
     words: str
     unit: str = ""
     steady: np.ndarray | None = None
 
-    def at(self, factor: float) -> Bodies:
+    def at(self, factor: float) -> RigidBodies:
         """The bodies with all that acts on them at a factor as dead load; a tilt leaves gravity its size."""
         bodies = self.bodies
         if self.steady is None:
@@ -74,7 +74,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     else:
         live, words = _live(scene, specimen, joints, layout, load, density, together)
     tilts = load is not None and load.pattern == "tilt"
-    bodies = Bodies(layout.centroid, free, dead + weight, live, together)
+    bodies = RigidBodies(layout.centroid, free, dead + weight, live, together)
     if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = dead + _along(weight, load) if tilts and load is not None else None

@@ -8,7 +8,7 @@ from masonry.limit_analysis.contacts import rises, sliding_fraction, strong_grou
 from masonry.limit_analysis.data import LimitData, set_of
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
-from masonry.statics.problem import STEEP, Bodies, Contacts, Solution
+from masonry.statics.problem import STEEP, RigidBodies, RigidContacts, Solution
 from masonry.statics.solve import Method
 
 RIGID = "rigid blocks, and joints that dilate by their friction angle as they slide"
@@ -26,7 +26,7 @@ USELESS = 0.01
 """What is left on a block over its own loads, beyond which there is no answer."""
 
 
-def say_what_it_is(result: LimitData, contacts: Contacts, method_word: str, dilation: bool) -> None:
+def say_what_it_is(result: LimitData, contacts: RigidContacts, method_word: str, dilation: bool) -> None:
     """The assumptions first, and what kind of number stands under them."""
     plastic = bool(contacts.cohesion.any() or contacts.tension[np.isfinite(contacts.tension)].any())
     result.assumed = (RIGID if dilation else FLAT) + (LASTS if plastic else "")
@@ -34,7 +34,9 @@ def say_what_it_is(result: LimitData, contacts: Contacts, method_word: str, dila
     result.bound = NO_BOUND if not dilation else PLASTIC if plastic else exact
 
 
-def scene_remarks(scene: Scene, specimen: Specimen, joints: Joints, contacts: Contacts, strength: bool) -> list[str]:
+def scene_remarks(
+    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool
+) -> list[str]:
     """What a limit analysis takes otherwise than the scene has it."""
     remarks = []
     strong = strong_groups(scene, specimen, joints)
@@ -54,7 +56,7 @@ def scene_remarks(scene: Scene, specimen: Specimen, joints: Joints, contacts: Co
     return remarks
 
 
-def say_of_sliding(result: LimitData, bodies: Bodies, contacts: Contacts, mechanism: Solution) -> None:
+def say_of_sliding(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, mechanism: Solution) -> None:
     """A word where a mechanism slides, and rises by that in limit analysis but not in the scene."""
     slides = sliding_fraction(bodies, contacts, mechanism) > SLIDES
     if slides and not rises(result.scene, result.specimen, result.joints):
@@ -64,7 +66,7 @@ def say_of_sliding(result: LimitData, bodies: Bodies, contacts: Contacts, mechan
         )
 
 
-def say_of_jams(result: LimitData, bodies: Bodies, contacts: Contacts, method: Method) -> None:
+def say_of_jams(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:
     """A word where something stands under its dead loads only if it is jammed."""
     if (mechanism := jammed(bodies, contacts, method)) is not None:
         first = int(np.argmax(np.linalg.norm(mechanism.velocity[:, :3], axis=1)))
@@ -74,7 +76,7 @@ def say_of_jams(result: LimitData, bodies: Bodies, contacts: Contacts, method: M
         )
 
 
-def say_how_exact(result: LimitData, bodies: Bodies) -> None:
+def say_how_exact(result: LimitData, bodies: RigidBodies) -> None:
     """Words on the gap, and on the block that is balanced worst. Raises SceneError where that one is not."""
     if result.gap > CLOSED:
         result.remarks.append(f"the duality gap is more than {CLOSED:g}: take no more digits of the factor than it has")
@@ -90,7 +92,7 @@ def say_how_exact(result: LimitData, bodies: Bodies) -> None:
         )
 
 
-def block_words(specimen: Specimen, bodies: Bodies, block: int) -> str:
+def block_words(specimen: Specimen, bodies: RigidBodies, block: int) -> str:
     """A block by its number, a set that it is in, and its place."""
     name = set_of(specimen, block)
     where = ", ".join(f"{x:.4g}" for x in bodies.centre[block])

@@ -4,11 +4,11 @@ import numpy as np
 from scipy import sparse
 
 from masonry.statics.equilibrium import Equilibrium
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 from masonry.statics.sizes import own_lengths, own_loads
 
 
-def unbalanced(bodies: Bodies, forces: Equilibrium, contacts: Contacts, unknown: np.ndarray) -> np.ndarray:
+def unbalanced(bodies: RigidBodies, forces: Equilibrium, contacts: RigidContacts, unknown: np.ndarray) -> np.ndarray:
     """(B,) what is left on each block, and what its contacts bear too much, over its own loads.
 
     Over the forces at its contacts where these are more. So much, at most, loads, strengths or the places of contacts
@@ -32,7 +32,7 @@ def unbalanced(bodies: Bodies, forces: Equilibrium, contacts: Contacts, unknown:
     return np.asarray(left / size)
 
 
-def _too_much(forces: Equilibrium, contacts: Contacts, unknown: np.ndarray) -> np.ndarray:
+def _too_much(forces: Equilibrium, contacts: RigidContacts, unknown: np.ndarray) -> np.ndarray:
     """(C,) N beyond tension, friction with cohesion, or compressive strength."""
     (groups, k), count = forces.tangent.shape[:2], contacts.count
     normal = forces.force * unknown[:count]

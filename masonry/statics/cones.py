@@ -9,7 +9,7 @@ from scipy import sparse
 from masonry.statics.crushing import crushing_cones
 from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.interior_point import Programme, Tell, clarabel_package, solved, true_gap
-from masonry.statics.problem import Contacts
+from masonry.statics.problem import RigidContacts
 
 SOLVED = ("Solved", "AlmostSolved")
 SLOW = ("InsufficientProgress", "NumericalError", "MaxIterations", "CallbackTerminated")
@@ -21,7 +21,7 @@ INFEASIBLE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
 UNBOUNDED = ("DualInfeasible", "AlmostDualInfeasible")
 
 
-class Near(NamedTuple):
+class NearForces(NamedTuple):
     """Forces that the forces asked for should be near to: half of weight (x - before)^2 is taken off push times factor.
 
     before, weight  (U,) unknowns without units, the factor last     push  of the factor, 0 or 1
@@ -33,7 +33,7 @@ class Near(NamedTuple):
 
 
 def solve_cones(
-    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], near: Near | None = None,
+    forces: Equilibrium, contacts: RigidContacts, between: tuple[float, float], near: NearForces | None = None,
     tell: Tell | None = None,
 ) -> tuple[str, np.ndarray, np.ndarray, float]:  # fmt: skip
     """As solve_linear, but with cones; the status may be "no end" as well.
@@ -93,7 +93,7 @@ def _of_the_whole(forces: Equilibrium, scale: float) -> Equilibrium:
 
 
 def _bounds(
-    forces: Equilibrium, contacts: Contacts, between: tuple[float, float], unknowns: int
+    forces: Equilibrium, contacts: RigidContacts, between: tuple[float, float], unknowns: int
 ) -> tuple[sparse.csc_array, np.ndarray]:
     """Rows and sides of: normal forces above -tension where the cone does not say so, and the bounds of the factor."""
     friction = contacts.cone_friction
@@ -109,7 +109,7 @@ def _bounds(
     return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
 
 
-def _cones(forces: Equilibrium, contacts: Contacts, unknowns: int) -> tuple[sparse.csc_array, np.ndarray, int]:
+def _cones(forces: Equilibrium, contacts: RigidContacts, unknowns: int) -> tuple[sparse.csc_array, np.ndarray, int]:
     """Rows, sides and number of: (friction N + cohesion, shear) in a second-order cone, for each group."""
     groups, k = forces.tangent.shape[:2]
     count = contacts.count

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
-from masonry.statics.problem import Bodies, Contacts, Sizes
+from masonry.statics.problem import RigidBodies, RigidContacts, Sizes
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Equilibrium:
     factor: float
 
 
-def equilibrium(bodies: Bodies, contacts: Contacts, sizes: Sizes, axis: int | None = None) -> Equilibrium:
+def equilibrium(bodies: RigidBodies, contacts: RigidContacts, sizes: Sizes, axis: int | None = None) -> Equilibrium:
     """The equations of all dofs that nothing holds; axis: across the plane of a plane problem, None in space.
 
     In a plane all shear forces of one polygon act along one line, and are one force. A contact has the unit of the
@@ -68,7 +68,7 @@ def equilibrium(bodies: Bodies, contacts: Contacts, sizes: Sizes, axis: int | No
     )
 
 
-def _rows(bodies: Bodies, axis: int | None, sizes: Sizes) -> tuple[sparse.csr_array, np.ndarray, np.ndarray]:
+def _rows(bodies: RigidBodies, axis: int | None, sizes: Sizes) -> tuple[sparse.csr_array, np.ndarray, np.ndarray]:
     """(R, 6 B): picks the free dofs, adds up those that move together, and divides by force and length of the block;
     the block of each row (R,), and whether it is of moments (R,)."""
     free = bodies.free.copy()
@@ -94,7 +94,7 @@ def _rows(bodies: Bodies, axis: int | None, sizes: Sizes) -> tuple[sparse.csr_ar
     )  # fmt: skip
 
 
-def _tangents(contacts: Contacts, axis: int | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _tangents(contacts: RigidContacts, axis: int | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Directions (G, k, 3) of shear, group of each contact (C,), and a contact of each group (G,)."""
     if axis is not None:
         _, leader, group = np.unique(contacts.patch, return_index=True, return_inverse=True)
@@ -106,7 +106,9 @@ def _tangents(contacts: Contacts, axis: int | None) -> tuple[np.ndarray, np.ndar
     return np.stack([first, np.cross(contacts.normal, first)], axis=1), every, every
 
 
-def _wrenches(bodies: Bodies, contacts: Contacts, which: np.ndarray, direction: np.ndarray) -> sparse.csr_array:
+def _wrenches(
+    bodies: RigidBodies, contacts: RigidContacts, which: np.ndarray, direction: np.ndarray
+) -> sparse.csr_array:
     """(6 B, n): what unit forces in directions (n, 3) at contact points `which` (n,) do to the two blocks of each."""
     parts = []
     for block, sign in ((contacts.block_a[which], -1.0), (contacts.block_b[which], 1.0)):

@@ -15,7 +15,7 @@ from masonry.statics.equilibrium import equilibrium
 from masonry.statics.linear import pyramids
 from masonry.statics.no_dilation import forces_without_sliding
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.sizes import alike
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
 
@@ -27,7 +27,7 @@ OPENS = 1e-7
 """How fast, over the speed of the blocks, all joints must open for a proof that there is no self-stress."""
 
 
-def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Solution | None:
+def jammed(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> Solution | None:
     """The mechanism of what falls under its dead loads unless it is jammed; None where nothing is.
 
     In joints that can press without any load friction is bounded by the pressure that the loads themselves give them,
@@ -57,7 +57,7 @@ def jammed(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Solu
     return None if solution.status == "solved" and solution.factor >= STANDS else solution
 
 
-def _all_open(bodies: Bodies, contacts: Contacts) -> bool:
+def _all_open(bodies: RigidBodies, contacts: RigidContacts) -> bool:
     """Whether some motion opens all joints faster than friction needs: then no forces balance each other.
 
     Each block moves as it is, by a velocity that is linear in its place. Virtual work of a self-stress on it would be
@@ -88,7 +88,7 @@ def _all_open(bodies: Bodies, contacts: Contacts) -> bool:
     return bool(optimum.status == 0 and -optimum.fun > OPENS)
 
 
-def _self_stressed(bodies: Bodies, contacts: Contacts) -> np.ndarray:
+def _self_stressed(bodies: RigidBodies, contacts: RigidContacts) -> np.ndarray:
     """(C,) contacts that press in forces which balance each other without a load, all of them at once."""
     none = np.zeros_like(contacts.cohesion)
     dry = replace(contacts, cohesion=none, tension=none, crush=None)

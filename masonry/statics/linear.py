@@ -12,7 +12,7 @@ from scipy.optimize import linprog
 from masonry.runtime.interrupts import interruptible_wait
 from masonry.statics.equilibrium import Equilibrium
 from masonry.statics.interior_point import SMALL, Tell
-from masonry.statics.problem import Contacts
+from masonry.statics.problem import RigidContacts
 
 EXACT = {"primal_feasibility_tolerance": 1e-9, "dual_feasibility_tolerance": 1e-9}
 MUCH = 300
@@ -21,7 +21,7 @@ STATUS = {0: "solved", 2: "infeasible", 3: "unbounded"}
 
 
 def solve_linear(
-    forces: Equilibrium, contacts: Contacts, sides: int, between: tuple[float, float], tell: Tell | None = None
+    forces: Equilibrium, contacts: RigidContacts, sides: int, between: tuple[float, float], tell: Tell | None = None
 ) -> tuple[str, np.ndarray, np.ndarray, float]:
     """Status, unknowns (normal forces, shear forces, factor), velocities (R,) and gap; all without units.
 
@@ -78,7 +78,7 @@ def _status(
     return "unbounded" if still.status == 0 else "infeasible"
 
 
-def pyramids(forces: Equilibrium, contacts: Contacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
+def pyramids(forces: Equilibrium, contacts: RigidContacts, sides: int) -> tuple[sparse.csr_array, np.ndarray]:
     """Rows and right-hand sides of: shear along each side <= (friction N + cohesion) times how far the side is off.
 
     A pyramid stands within its cone, its edges on it: the factor is too small at most.

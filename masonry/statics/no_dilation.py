@@ -19,10 +19,10 @@ from math import inf
 import numpy as np
 
 from masonry.statics.balance import unbalanced
-from masonry.statics.cones import Near, solve_cones
+from masonry.statics.cones import NearForces, solve_cones
 from masonry.statics.equilibrium import equilibrium
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Sizes, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Sizes, Solution
 from masonry.statics.sizes import alike
 from masonry.statics.solve import ANY, EXACTLY, STANDS, UPWARD, Method, Range, in_space, largest_factor
 
@@ -67,7 +67,11 @@ class Flat:
 
 
 def without_dilation(
-    bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD, softer: float = SOFTER
+    bodies: RigidBodies,
+    contacts: RigidContacts,
+    method: Method = EXACTLY,
+    between: Range = UPWARD,
+    softer: float = SOFTER,
 ) -> Flat:
     """The factor at the end of the load path; no bound. softer: normal over shear stiffness of the joints."""
     bound = largest_factor(bodies, contacts, method, between)
@@ -96,7 +100,7 @@ def without_dilation(
     return replace(peak, converged=last.converged, left=last.left) if peak.open >= -OPEN else last
 
 
-def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Flat:
+def standing_without_dilation(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> Flat:
     """As `standing`, but without dilation: all dead loads are put on joints that do not slide, which then may."""
     own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
     bound = largest_factor(own, contacts, method, (0.0, 1.0))
@@ -112,7 +116,7 @@ def standing_without_dilation(bodies: Bodies, contacts: Contacts, method: Method
     return end
 
 
-def forces_without_sliding(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> np.ndarray:
+def forces_without_sliding(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> np.ndarray:
     """(C,) N, the normal forces under the dead loads in joints of one stiffness that do not slide."""
     own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
     path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, alike(own, contacts))
@@ -125,7 +129,7 @@ class _LoadPath:
     """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units."""
 
     def __init__(
-        self, bodies: Bodies, contacts: Contacts, method: Method, between: Range, softer: float, sizes: Sizes
+        self, bodies: RigidBodies, contacts: RigidContacts, method: Method, between: Range, softer: float, sizes: Sizes
     ) -> None:
         self.bodies, self.contacts, self.method, self.between = bodies, contacts, method, between
         axis = plane_of(bodies, contacts) if method.plane else None
@@ -152,7 +156,7 @@ class _LoadPath:
     def without_sliding(self) -> np.ndarray:
         """The forces at a factor of 1 where friction is great."""
         great = replace(self.flat, friction=GREAT * self.flat.friction)
-        near = Near(np.zeros(len(self.weight)), self.weight, 0.0)
+        near = NearForces(np.zeros(len(self.weight)), self.weight, 0.0)
         return self.solve(great, (self.unit, self.unit), near)[1]
 
     def step(self, before: np.ndarray, pace: float) -> np.ndarray:
@@ -161,7 +165,7 @@ class _LoadPath:
 
     def settled(self, before: np.ndarray, pace: float, push: float, between: Range, tries: int) -> np.ndarray:
         """Forces whose friction goes with their own normal forces."""
-        near = Near(before, pace * self.weight, push)
+        near = NearForces(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
         guess = before if before.any() else self.solve(self.flat, bounds, near)[1]
         last: tuple[np.ndarray, np.ndarray] | None = None
@@ -177,11 +181,11 @@ class _LoadPath:
             guess, last = _secant(after, off, last), (after, off)
         return after
 
-    def solve(self, contacts: Contacts, bounds: Range, near: Near) -> tuple[str, np.ndarray]:
+    def solve(self, contacts: RigidContacts, bounds: Range, near: NearForces) -> tuple[str, np.ndarray]:
         """Status and forces of one problem."""
         return solve_cones(self.forces, contacts, bounds, near, self.method.tell)[:2]
 
-    def cylinders(self, forces: np.ndarray) -> Contacts:
+    def cylinders(self, forces: np.ndarray) -> RigidContacts:
         """Contacts whose shear strength is what friction makes of these normal forces, and stays so."""
         through = self.flat.cone_friction * forces[: self.flat.count] * self.forces.force
         strength = np.maximum(self.flat.cohesion + through, 0.0)

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 from scipy import sparse
 
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 
 FLAT = 1e-9
 """Share of the size, or of the largest load of a block, below which what leaves the plane counts as none."""
 
 
-def plane_of(bodies: Bodies, contacts: Contacts) -> int | None:
+def plane_of(bodies: RigidBodies, contacts: RigidContacts) -> int | None:
     """The axis 0, 1 or 2 across the plane of a problem; None if it has none.
 
     All centres of blocks that can move lie in the plane, no load leaves it, no contact looks along the axis, and the
@@ -25,7 +25,7 @@ def plane_of(bodies: Bodies, contacts: Contacts) -> int | None:
     return None
 
 
-def _is_plane(bodies: Bodies, contacts: Contacts, axis: int) -> bool:
+def _is_plane(bodies: RigidBodies, contacts: RigidContacts, axis: int) -> bool:
     moves = bodies.free.any(axis=1)
     if not moves.any() or contacts.count == 0:
         return False
@@ -46,7 +46,7 @@ def _is_plane(bodies: Bodies, contacts: Contacts, axis: int) -> bool:
     return bool((np.abs(moment) <= FLAT * size * np.bincount(owner, contacts.area)).all())
 
 
-def flattened(contacts: Contacts, axis: int) -> tuple[Contacts, np.ndarray]:
+def flattened(contacts: RigidContacts, axis: int) -> tuple[RigidContacts, np.ndarray]:
     """Points of a polygon that lie behind each other along an axis made one, and the number of each in it (C,)."""
     size = max(float(np.ptp(contacts.point, axis=0).max()), 1e-300)
     across = [k for k in range(3) if k != axis]

@@ -12,7 +12,7 @@ much, times the tangent, is what shear may come to from nothing."""
 
 
 @dataclass(frozen=True)
-class Bodies:
+class RigidBodies:
     """Rigid blocks with loads. Forces in N along x, y, z, then moments in N m about axes through the centre.
 
     centre    (B, 3) m, the centre of mass
@@ -30,7 +30,7 @@ class Bodies:
 
 
 @dataclass(frozen=True)
-class Contacts:
+class RigidContacts:
     """Points at which two blocks touch, and what each can bear. A normal force above 0 presses.
 
     block_a, block_b  (C,)
@@ -61,12 +61,12 @@ class Contacts:
     def count(self) -> int:
         return len(self.block_a)
 
-    def weakened(self, by: float) -> "Contacts":
+    def weakened(self, by: float) -> "RigidContacts":
         """The same with friction, cohesion and tension divided by a number; an endless tension stays so."""
         tension = np.where(np.isinf(self.tension), self.tension, self.tension / by)
         return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=tension)
 
-    def with_strength(self, times: float) -> "Contacts":
+    def with_strength(self, times: float) -> "RigidContacts":
         """The same with cohesion, tension and compressive strength multiplied by a number."""
         crush = None if self.crush is None else self.crush.times(times)
         return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush)
@@ -81,10 +81,10 @@ class Contacts:
         """Whether anything but friction limits what a point bears."""
         return self.crush is not None or bool(self.cohesion.any() or self.tension.any())
 
-    def select(self, which: np.ndarray) -> "Contacts":
+    def select(self, which: np.ndarray) -> "RigidContacts":
         """Some of them; compression is without a limit."""
         names = [entry.name for entry in fields(self) if entry.name != "crush"]
-        return Contacts(**{name: getattr(self, name)[which] for name in names})
+        return RigidContacts(**{name: getattr(self, name)[which] for name in names})
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import numpy as np
 from masonry.errors import SceneError
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import standing_without_dilation
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.solve import EXACTLY, STANDS, Method, standing
 
 CLOSE = {True: 1e-6, False: 1e-4}
@@ -17,7 +17,7 @@ LARGEST = 1e4
 
 
 def factor_of_safety(
-    bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, dilation: bool = True
+    bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY, dilation: bool = True
 ) -> tuple[float, Solution, Solution]:
     """The factor by bisection, the forces at it, and the mechanism just beyond it.
 
@@ -61,7 +61,7 @@ def factor_of_safety(
     return low, best, replace(both, unbalance=off.unbalance, worst=off.worst)
 
 
-def _why_none(bodies: Bodies, contacts: Contacts, method: Method) -> str:
+def _why_none(bodies: RigidBodies, contacts: RigidContacts, method: Method) -> str:
     """Why there is no factor of safety where a small part of friction is enough: tried with none at all."""
     smooth = standing(bodies, contacts.weakened(np.inf), method)
     if smooth.status == "solved" and smooth.factor >= STANDS:

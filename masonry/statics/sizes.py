@@ -6,10 +6,10 @@ solution is looked at block by block, and where one is not balanced, all is writ
 
 import numpy as np
 
-from masonry.statics.problem import Bodies, Contacts, Sizes
+from masonry.statics.problem import RigidBodies, RigidContacts, Sizes
 
 
-def alike(bodies: Bodies, contacts: Contacts) -> Sizes:
+def alike(bodies: RigidBodies, contacts: RigidContacts) -> Sizes:
     """One for all: the mean load of a block, or where nothing is loaded a strength; the mean arm of a contact."""
     arm = contacts.point - bodies.centre[contacts.block_b]
     length = float(np.sqrt((arm**2).sum(axis=1).mean())) if contacts.count else 1.0
@@ -21,7 +21,9 @@ def alike(bodies: Bodies, contacts: Contacts) -> Sizes:
     return Sizes(np.full(count, force), size, _factor(bodies, np.where(dead > 0.0, dead, force), size))
 
 
-def of_each(bodies: Bodies, contacts: Contacts, factor: float, normal: np.ndarray, shear: np.ndarray) -> Sizes:
+def of_each(
+    bodies: RigidBodies, contacts: RigidContacts, factor: float, normal: np.ndarray, shear: np.ndarray
+) -> Sizes:
     """Of each block its loads, or the forces at its contacts where they are more, as far as they are known; its arms.
 
     normal (C,) and shear (C, 3) N of a first solution at a factor; all of them 0 without one
@@ -34,7 +36,7 @@ def of_each(bodies: Bodies, contacts: Contacts, factor: float, normal: np.ndarra
     return Sizes(force, length, _factor(bodies, force, length))
 
 
-def own_loads(bodies: Bodies, contacts: Contacts, factor: float, length: np.ndarray) -> np.ndarray:
+def own_loads(bodies: RigidBodies, contacts: RigidContacts, factor: float, length: np.ndarray) -> np.ndarray:
     """(B,) N, what loads a block at a factor, moments over its length (B,); the mean of all for one without loads."""
     unit = alike(bodies, contacts)
     dead, live = _size(bodies.dead, length), _size(bodies.live, length)
@@ -43,7 +45,7 @@ def own_loads(bodies: Bodies, contacts: Contacts, factor: float, length: np.ndar
     return np.where(own > 0.0, own, unit.force)
 
 
-def own_lengths(bodies: Bodies, contacts: Contacts) -> np.ndarray:
+def own_lengths(bodies: RigidBodies, contacts: RigidContacts) -> np.ndarray:
     """(B,) m, root of the mean square of the arms of a block's contacts; of one without contacts that of all."""
     square, number = np.zeros(len(bodies.centre)), np.zeros(len(bodies.centre))
     for block in (contacts.block_a, contacts.block_b):
@@ -54,7 +56,7 @@ def own_lengths(bodies: Bodies, contacts: Contacts) -> np.ndarray:
     return np.where(square > 0.0, np.sqrt(square / np.maximum(number, 1.0)), mean)
 
 
-def _factor(bodies: Bodies, force: np.ndarray, length: np.ndarray) -> float:
+def _factor(bodies: RigidBodies, force: np.ndarray, length: np.ndarray) -> float:
     """The factor at which the growing load of a block that moves first is as much as a force (B,)."""
     most = float((_size(bodies.live, length) / force)[bodies.free.any(axis=1)].max(initial=0.0))
     return 1.0 / most if most > 0.0 else 1.0

@@ -15,7 +15,7 @@ from masonry.statics.equilibrium import Equilibrium, equilibrium
 from masonry.statics.interior_point import Tell
 from masonry.statics.linear import solve_linear
 from masonry.statics.plane import flattened, plane_of
-from masonry.statics.problem import Bodies, Contacts, Sizes, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Sizes, Solution
 from masonry.statics.sizes import alike, of_each
 
 MUCH = 2000
@@ -48,7 +48,9 @@ EXACTLY = Method()
 """True cones in space, a linear programme in a plane."""
 
 
-def largest_factor(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY, between: Range = UPWARD) -> Solution:
+def largest_factor(
+    bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY, between: Range = UPWARD
+) -> Solution:
     """The largest factor within a range at which forces that the contacts bear balance all bodies."""
     axis = plane_of(bodies, contacts) if method.plane else None
     sides = _sides(axis, contacts, method)
@@ -81,13 +83,13 @@ def _is_better(solution: Solution, best: Solution) -> bool:
     return solution.status == "solved" and (best.status != "solved" or solution.unbalance < best.unbalance)
 
 
-def _unlike(bodies: Bodies, sizes: Sizes) -> bool:
+def _unlike(bodies: RigidBodies, sizes: Sizes) -> bool:
     """Whether blocks that move differ much in their units."""
     moves = bodies.free.any(axis=1)
     return any(float(unit[moves].max()) > UNLIKE * float(unit[moves].min()) for unit in (sizes.force, sizes.length))
 
 
-def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
+def _sides(axis: int | None, contacts: RigidContacts, method: Method) -> int:
     """Of the pyramids of a linear programme, 0 for cones, which are as good in a plane, and quicker for much."""
     if contacts.crush is not None:
         return 0
@@ -96,14 +98,14 @@ def _sides(axis: int | None, contacts: Contacts, method: Method) -> int:
     return 0 if contacts.count > MUCH else 2
 
 
-def standing(bodies: Bodies, contacts: Contacts, method: Method = EXACTLY) -> Solution:
+def standing(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> Solution:
     """The share of the dead loads that can be balanced, 1 at most, and the mechanism where it is less."""
     return largest_factor(
         replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead), contacts, method, (0.0, 1.0)
     )
 
 
-def method_word(bodies: Bodies, contacts: Contacts, method: Method, cones: bool = False) -> str:
+def method_word(bodies: RigidBodies, contacts: RigidContacts, method: Method, cones: bool = False) -> str:
     """How a problem is solved, in words; cones: by cones in any case."""
     axis = plane_of(bodies, contacts) if method.plane else None
     sides = 0 if cones else _sides(axis, contacts, method)
@@ -114,9 +116,16 @@ def method_word(bodies: Bodies, contacts: Contacts, method: Method, cones: bool 
 
 
 def in_space(
-    bodies: Bodies, forces: Equilibrium, contacts: Contacts, flat: Contacts, owner: np.ndarray, status: str,
-    unknown: np.ndarray, velocity: np.ndarray, gap: float,
-) -> Solution:  # fmt: skip
+    bodies: RigidBodies,
+    forces: Equilibrium,
+    contacts: RigidContacts,
+    flat: RigidContacts,
+    owner: np.ndarray,
+    status: str,
+    unknown: np.ndarray,
+    velocity: np.ndarray,
+    gap: float,
+) -> Solution:
     """Unknowns and velocities of a problem, back in units, for all blocks and contact points."""
     groups, k = forces.tangent.shape[:2]
     pressing, sliding = unknown[: flat.count], unknown[flat.count : -1]
@@ -132,7 +141,7 @@ def in_space(
     )  # fmt: skip
 
 
-def _part_of_group(forces: Equilibrium, flat: Contacts, pressing: np.ndarray) -> np.ndarray:
+def _part_of_group(forces: Equilibrium, flat: RigidContacts, pressing: np.ndarray) -> np.ndarray:
     """(C,) share of the shear force of its group that a point takes: by what it can bear."""
     least = 1e-12 * flat.area / flat.area.max(initial=1e-300)
     bears = np.maximum(flat.friction * pressing + flat.cohesion / forces.force, 0.0) + least

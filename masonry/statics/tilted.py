@@ -4,14 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.solve import Method, largest_factor
 
 SAME, MOST, UPRIGHT = 1e-9, 200, 1e6
 """Change of the factor at which the row of analyses ends, how many there are, and a factor that is as good as none."""
 
 
-def tilt_factor(bodies: Bodies, contacts: Contacts, steady: np.ndarray, method: Method) -> Solution:
+def tilt_factor(bodies: RigidBodies, contacts: RigidContacts, steady: np.ndarray, method: Method) -> Solution:
     """The tangent of the first angle at which there is no equilibrium.
 
     With all forces over the cosine of the angle, the weight stays, its part sideways is the tangent, and strengths and

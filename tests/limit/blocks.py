@@ -8,7 +8,7 @@ from geometry.blocks import Blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import moments
 from geometry.specimens.boxes import boxes
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 from masonry.statics.solve import Method
 
 PLANE, CONES, PYRAMIDS = Method(), Method(plane=False), Method(plane=False, sides=16)
@@ -17,7 +17,7 @@ DOWN = (0.0, 0.0, -1.0)
 
 def dry(
     blocks: Blocks, held, friction: float, live=(1.0, 0.0, 0.0), dead=DOWN, density=1.0, points: int = 2
-) -> tuple[Bodies, Contacts]:
+) -> tuple[RigidBodies, RigidContacts]:
     """Blocks of unit weight per volume on held ones; loads in shares of the weight."""
     joints = find_joints(blocks, "vertex", points)
     volume, centre, _ = moments(blocks)
@@ -29,11 +29,11 @@ def dry(
     free[held] = False
     number = len(joints.area)
     none = np.zeros(number)
-    contacts = Contacts(
+    contacts = RigidContacts(
         *(joints.block_a, joints.block_b, joints.point, joints.normal, joints.patch, joints.area),
         *(np.full(number, friction), none, none, np.zeros(number, dtype=bool)),
     )
-    return Bodies(centre, free, *loads), contacts
+    return RigidBodies(centre, free, *loads), contacts
 
 
 def stack(sizes, overhangs=None, depth: float = 0.3) -> Blocks:
@@ -60,7 +60,7 @@ def wall(courses: int, halves_below: bool, length: float = 0.4, height: float = 
     return boxes(found, 1.0).blocks
 
 
-def turned(bodies: Bodies, contacts: Contacts, turn: np.ndarray) -> tuple[Bodies, Contacts]:
+def turned(bodies: RigidBodies, contacts: RigidContacts, turn: np.ndarray) -> tuple[RigidBodies, RigidContacts]:
     """All of it turned by a rotation (3, 3); bodies must be held wholly or not at all."""
 
     def both(load: np.ndarray) -> np.ndarray:

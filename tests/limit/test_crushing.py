@@ -10,12 +10,12 @@ from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import extrude
 from geometry.structures.arch import arch
 from masonry.statics.crushing import crushing_of
-from masonry.statics.problem import Contacts
+from masonry.statics.problem import RigidContacts
 from masonry.statics.solve import largest_factor
 from tests.limit.blocks import CONES, PLANE, dry, stack
 
 
-def crushed(blocks: Blocks, contacts: Contacts, strength: float) -> Contacts:
+def crushed(blocks: Blocks, contacts: RigidContacts, strength: float) -> RigidContacts:
     joints = find_joints(blocks, "vertex", 2)
     return replace(contacts, crush=crushing_of(joints, strength, np.ones(len(joints.area), dtype=bool)))
 

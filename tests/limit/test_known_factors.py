@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from geometry.structures.arch import arch
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 from masonry.statics.solve import STANDS, largest_factor, standing
 from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, stack, wall
 
@@ -14,7 +14,7 @@ WAYS = {"plane": PLANE, "cones": CONES, "pyramids": PYRAMIDS}
 EVERY_WAY = pytest.mark.parametrize("method", WAYS.values(), ids=WAYS.keys())
 
 
-def strip(thickness: float, height: float, courses: int, overburden: float) -> tuple[Bodies, Contacts]:
+def strip(thickness: float, height: float, courses: int, overburden: float) -> tuple[RigidBodies, RigidContacts]:
     """A strip of wall between floors, pushed by its weight sideways; the floor above weighs so much of it, and stays
     level and in its place."""
     slab = [(thickness, 0.1)] if overburden else []

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from geometry.structures.arch import arch
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.solve import largest_factor, standing
 from tests.limit.blocks import CONES, PLANE, PYRAMIDS, dry, turned, wall
 
@@ -19,7 +19,7 @@ PROBLEMS = {
 EVERY = pytest.mark.parametrize("problem", PROBLEMS.values(), ids=PROBLEMS.keys())
 
 
-def jumps(bodies: Bodies, contacts: Contacts, velocity: np.ndarray) -> np.ndarray:
+def jumps(bodies: RigidBodies, contacts: RigidContacts, velocity: np.ndarray) -> np.ndarray:
     """(C, 3) velocity of block b past block a at each contact point."""
 
     def at(block: np.ndarray) -> np.ndarray:
@@ -29,7 +29,7 @@ def jumps(bodies: Bodies, contacts: Contacts, velocity: np.ndarray) -> np.ndarra
     return at(contacts.block_b) - at(contacts.block_a)
 
 
-def resultants(bodies: Bodies, contacts: Contacts, solution: Solution) -> np.ndarray:
+def resultants(bodies: RigidBodies, contacts: RigidContacts, solution: Solution) -> np.ndarray:
     """(B, 6) all forces and moments on each block, loads included."""
     force = solution.normal[:, None] * contacts.normal + solution.shear
     total = bodies.dead + solution.factor * bodies.live

@@ -9,7 +9,7 @@ import masonry
 import verification
 from masonry.scene import load as load_scene
 from masonry.statics.no_dilation import without_dilation
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import largest_factor
 from tests.limit.blocks import CONES, PLANE, dry, stack, wall
@@ -70,7 +70,7 @@ def normal_of(dip: float, direction: float) -> np.ndarray:
     return np.array([np.sin(slope) * np.sin(way), np.sin(slope) * np.cos(way), np.cos(slope)])
 
 
-def wedge(friction: float) -> tuple[Bodies, Contacts, np.ndarray]:
+def wedge(friction: float) -> tuple[RigidBodies, RigidContacts, np.ndarray]:
     """A tetrahedron of weight 1 in the notch of two planes, pushed along the notch in plan; and the way down."""
     left, right = normal_of(*LEFT), normal_of(*RIGHT)
     down = np.cross(left, right)
@@ -83,9 +83,9 @@ def wedge(friction: float) -> tuple[Bodies, Contacts, np.ndarray]:
     live, dead = np.zeros((2, 6)), np.zeros((2, 6))
     dead[1, 2], live[1, :3] = -1.0, push
     free = np.array([[False] * 6, [True] * 6])
-    bodies = Bodies(np.array([[0.0, 0.0, -5.0], corners.mean(axis=0)]), free, dead, live)
+    bodies = RigidBodies(np.array([[0.0, 0.0, -5.0], corners.mean(axis=0)]), free, dead, live)
     none = np.zeros(6)
-    contacts = Contacts(
+    contacts = RigidContacts(
         *(np.zeros(6, dtype=np.int64), np.ones(6, dtype=np.int64), corners[[0, 1, 2, 0, 1, 3]]),
         *(np.array([left] * 3 + [right] * 3), np.repeat([0, 1], 3), np.ones(6), np.full(6, friction)),
         *(none, none, np.zeros(6, dtype=bool)),

@@ -4,7 +4,7 @@ import pytest
 
 import masonry
 from masonry.errors import SceneError
-from masonry.limit_analysis.analysis import Wishes, analyse
+from masonry.limit_analysis.analysis import LimitSettings, analyse
 from tests.limit.one_block import DRIVE, SIDEWAYS, STRONG, block
 from tests.scenes import load
 
@@ -91,10 +91,10 @@ def test_what_has_no_answer_is_said_in_one_sentence(name):
 @pytest.mark.parametrize(
     ("wishes", "expected"),
     [
-        (Wishes(at=0.2), "add --safety"),
-        (Wishes(points="corner"), "did you mean 'corners'"),
-        (Wishes(sides=2), "it needs 3 or more"),
-        (Wishes(crushing=1e6, sides=8), "--crushing needs cones"),
+        (LimitSettings(at=0.2), "add --safety"),
+        (LimitSettings(points="corner"), "did you mean 'corners'"),
+        (LimitSettings(sides=2), "it needs 3 or more"),
+        (LimitSettings(crushing=1e6, sides=8), "--crushing needs cones"),
     ],
 )
 def test_words_that_contradict_each_other_are_refused(wishes, expected):

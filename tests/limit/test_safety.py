@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
-from masonry.statics.problem import Bodies, Contacts
+from masonry.statics.problem import RigidBodies, RigidContacts
 from masonry.statics.safety import factor_of_safety
 from tests.limit.blocks import CONES, PLANE, dry, stack
 
 
-def on_an_incline(slope: float, friction: float, cohesion: float = 0.0) -> tuple[Bodies, Contacts]:
+def on_an_incline(slope: float, friction: float, cohesion: float = 0.0) -> tuple[RigidBodies, RigidContacts]:
     """A flat block on ground that is tilted by an angle (rad), by its loads."""
     bodies, contacts = dry(stack([(2.0, 0.2)]), [0], friction, dead=(np.sin(slope), 0.0, -np.cos(slope)))
     return bodies, replace(contacts, cohesion=cohesion * contacts.area)

@@ -13,7 +13,7 @@ from masonry.errors import SceneError
 from masonry.statics.balance import unbalanced
 from masonry.statics.equilibrium import equilibrium
 from masonry.statics.no_dilation import without_dilation
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.sizes import alike
 from masonry.statics.solve import Method, largest_factor
@@ -37,7 +37,7 @@ def pair(large, small, at) -> Blocks:
     return boxes([(name, place, size, "units", k, (1, 1, 1)) for k, (name, place, size) in enumerate(rows)], 1.0).blocks
 
 
-def any_pair(seed: int) -> tuple[Bodies, Contacts, float]:
+def any_pair(seed: int) -> tuple[RigidBodies, RigidContacts, float]:
     """A pair of some sizes, pushed by its weight sideways, and the factor by hand: the small one slides or tips, or all
     does, or both tip about the edge of the large one."""
     rng = np.random.default_rng([41, seed])

@@ -20,7 +20,7 @@ from masonry.laws.state import JointProperties
 from masonry.scene import load
 from verification import scene_runs
 from verification.studies import points_of_joints_that_bend as study
-from verification.studies.mortared_walls import Wall, proposed, said, walls
+from verification.studies.mortared_walls import MortaredWall, proposed, said, walls
 
 TORN = Path(verification.__file__).parent / "scenes" / "joint-torn-from-one-side.toml"
 BENT = {
@@ -40,7 +40,7 @@ def torn(rows: int):
     return laboratory.run(load(TORN, {**BENT, "specimen.points_per_edge": {"x": rows, "y": 1}}))
 
 
-def peak_and_word(wall: Wall, rule: str, rows: int) -> tuple[float, float, int]:
+def peak_and_word(wall: MortaredWall, rule: str, rows: int) -> tuple[float, float, int]:
     """N, the factor by which the run says that this is off, and the points along edges that it proposes."""
     summary = laboratory.run(scene_runs.load(wall.scene, wall.with_points(rule, rows))).summary
     return summary["peak_force_n"], said(summary), proposed(summary)
@@ -168,7 +168,7 @@ def test_joints_whose_strengths_scatter_are_held_against_their_own():
 
 @pytest.mark.parametrize("rule", ["gauss", "vertex"])
 def test_a_joint_that_only_slid_has_points_enough_whatever_their_number(rule):
-    slides = Wall("block-bent-at-its-bed", {"support.1.fix": ["y", "rotation"]})
+    slides = MortaredWall("block-bent-at-its-bed", {"support.1.fix": ["y", "rotation"]})
     summary = laboratory.run(scene_runs.load(slides.scene, slides.with_points(rule, 2))).summary
     assert summary["damaged_area_m2"]["unit_unit"] > 0.0 and said(summary) == 1.0
 

@@ -4,17 +4,17 @@ from functools import cache
 
 import pytest
 
-from masonry.limit_analysis.analysis import Wishes, analyse
+from masonry.limit_analysis.analysis import LimitSettings, analyse
 from masonry.limit_analysis.result import LimitResult
 from tests.turned.comparing import ABOUT_BEDS, ABOUT_X, CYCLIC, MIRRORED, NUMBERED, OBLIQUE, TURNS
 from verification.checks.turned import NoSuchScene, turned
 from verification.scene_runs import load
 
-PLAIN = Wishes()
+PLAIN = LimitSettings()
 
 
 @cache
-def limit(name: str, turn: str = "", wishes: Wishes = PLAIN) -> LimitResult:
+def limit(name: str, turn: str = "", wishes: LimitSettings = PLAIN) -> LimitResult:
     scene = load(name)
     if not turn:
         return analyse(scene, wishes)
@@ -58,7 +58,7 @@ def test_a_plane_problem_is_one_of_space_where_no_axis_lies_across_it():
 
 @pytest.mark.parametrize("turn", [ABOUT_X, OBLIQUE, CYCLIC, NUMBERED])
 def test_the_factor_of_safety_is_the_same(turn):
-    wishes = Wishes(safety=True, at=0.3)
+    wishes = LimitSettings(safety=True, at=0.3)
     assert limit("wall-tilted", "", wishes).factor > 1.5
     require_the_same(limit("wall-tilted", "", wishes), limit("wall-tilted", turn, wishes), 1e-5)
 
@@ -66,7 +66,7 @@ def test_the_factor_of_safety_is_the_same(turn):
 @pytest.mark.slow
 @pytest.mark.parametrize("turn", [ABOUT_X, OBLIQUE, CYCLIC, NUMBERED])
 def test_friction_without_dilation_comes_to_the_same(turn):
-    one, other = (limit("wall-tilted", how, Wishes(dilation=False)) for how in ("", turn))
+    one, other = (limit("wall-tilted", how, LimitSettings(dilation=False)) for how in ("", turn))
     assert other.factor == pytest.approx(one.factor, rel=2e-3), "it follows the forces step by step"
 
 

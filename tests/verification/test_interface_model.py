@@ -12,8 +12,8 @@ from verification.references import closed_forms
 from verification.references.interface import newton
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
-from verification.references.interface.model import Model, model
-from verification.references.interface.points import History, tangent, traction, unharmed
+from verification.references.interface.model import InterfaceModel, model
+from verification.references.interface.points import PointHistory, tangent, traction, unharmed
 from verification.scene_runs import assembled
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -95,7 +95,7 @@ def test_damage_of_one_mode_lowers_the_other_where_they_are_combined():
         joint = law("exponential", combined=combined)
         torn = traction(joint, unharmed(joint, 1), X, (joint.opening_at_peak + 2e-6) * X)[1]
         t, _ = traction(joint, torn, X, np.array([[0.0, 1e-3, 0.0]]))
-        slid = History(torn.widest, torn.tension, np.ones(1), torn.slip)
+        slid = PointHistory(torn.widest, torn.tension, np.ones(1), torn.slip)
         assert t[0, 1] < left * joint.c0
         tangential, _ = traction(joint, slid, X, np.array([[0.0, 0.99 * left * joint.c0 / joint.ks, 0.0]]))
         assert tangential[0, 1] == pytest.approx(0.99 * left * joint.c0, rel=1e-12)
@@ -124,7 +124,7 @@ def test_points_and_areas_are_those_of_the_contacts_of_a_run_on_the_same_tets():
     assert np.abs(ours - theirs).max() < 1e-15
 
 
-def stack(young: float, joint: Law) -> Model:
+def stack(young: float, joint: Law) -> InterfaceModel:
     """Two cubes of 0.1 m one above the other."""
     one = np.linspace(0.0, 0.1, 3)
     wall = model(grids([(one, one, one), (one, one, one + 0.1)]), young, 0.0, lambda a, b: joint)
@@ -138,7 +138,7 @@ def test_displacement_control_jumps_where_opening_control_follows_the_snap_back(
     young = 0.3 * 0.2 * joint.fT**2 / joint.G_I
     bar = stack(young, joint)
     opening = bar.joints[0].jump.T @ (bar.joints[0].weight[:, None] * bar.joints[0].normal).ravel() / 0.01
-    path = newton.Path(bar, opening)
+    path = newton.EquilibriumPath(bar, opening)
     moved = []
     for s in np.linspace(0.0, 20e-6, 41)[1:]:
         path.go(float(s))
@@ -154,7 +154,7 @@ def test_what_holds_a_model_balances_what_is_driven_and_loaded():
     pulled = stack(5e9, law("exponential"))
     push = [3e3, 0.0, 0.0]
     pulled.dead = pulled.pressed(push, lambda x: x[0] > 0.1 - 1e-9)
-    path = newton.Path(pulled)
+    path = newton.EquilibriumPath(pulled)
     for k in range(1, 6):
         path.go(2e-6 * k, dead=min(1.0, 0.5 * k))
     held = path.reactions()

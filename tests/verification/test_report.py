@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from verification.html import page
 from verification.html.page import Chapter, Link, Verdict, escape, table, without_dead_links
 from verification.report.__main__ import study_chapters, write
-from verification.stability.cells import Cell, Grid
+from verification.stability.cells import Grid, MapCell
 from verification.stability.references import sheared
 from verification.studies import couplet, energy_balance, stability
 
@@ -23,7 +23,10 @@ LIMITS = Grid(
     "Limits",
     "law",
     "knob",
-    {("exponential", name): Cell("couplet", {"drive.steps": 4000, **knobs}, sheared) for name, knobs in KNOBS.items()},
+    {
+        ("exponential", name): MapCell("couplet", {"drive.steps": 4000, **knobs}, sheared)
+        for name, knobs in KNOBS.items()
+    },
 )
 
 
@@ -138,4 +141,4 @@ def test_what_stands_between_backticks_is_code_and_all_else_is_escaped():
     text = "run `masonry verify <x>`, a < b"
     shown = "run <code>masonry verify &lt;x&gt;</code>, a &lt; b"
     assert page.paragraph(text) == f"<p>{shown}</p>" and shown in page.bullets([text])
-    assert shown in page.table(("a",), [[text], [page.Cell("x", "ok", text)]])
+    assert shown in page.table(("a",), [[text], [page.TableCell("x", "ok", text)]])

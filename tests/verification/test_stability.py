@@ -14,7 +14,7 @@ from masonry.laboratory import laboratory
 from verification.html.page import Chapter
 from verification.scene_runs import Run, joint_of, load
 from verification.stability import falling, maps, motion
-from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, Cell, Exact, Grid, Outcome
+from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, CellOutcome, Exact, Grid, MapCell
 from verification.stability.drawing import heat_map, length, written
 from verification.stability.maps import judged
 from verification.stability.references import sheared
@@ -28,14 +28,14 @@ def made(status="OK", reason="", **summary) -> Run:
     return Run("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
 
 
-def mapped(blocks_fall: bool) -> dict[str, list[Outcome]]:
+def mapped(blocks_fall: bool) -> dict[str, list[CellOutcome]]:
     """The quick maps of blocks that fall, or of all else."""
     titles = {grid.title for grid in falling.grids(False)}
     grids = [grid for grid in maps.all_grids(full=False) if (grid.title in titles) == blocks_fall]
     return {grid.title: maps.run(grid) for grid in grids}
 
 
-def assert_right(outcomes: dict[str, list[Outcome]]) -> None:
+def assert_right(outcomes: dict[str, list[CellOutcome]]) -> None:
     wrong = [
         f"{t}: {o.row}, {o.column}: {o.reason}" for t, all_of in outcomes.items() for o in all_of if o.kind == "bad"
     ]
@@ -143,7 +143,7 @@ def test_the_picture_has_a_field_for_every_cell_and_its_bars_go_with_the_logarit
 
 
 def test_the_chapter_shows_each_map_and_tells_the_reasons():
-    cells = {("row", name): Cell(COUPLET, {"drive.steps": 4000, **knobs}, sheared) for name, knobs in (
+    cells = {("row", name): MapCell(COUPLET, {"drive.steps": 4000, **knobs}, sheared) for name, knobs in (
         ("fine", {}), ("refused", {"solver.damping": 1.0}))}  # fmt: skip
     chapter = stability.chapter(lambda _: None, [Grid("Made up", "a", "b", cells)])
     assert isinstance(chapter, Chapter) and chapter.verdicts[0].kind == "ok"

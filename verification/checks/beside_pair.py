@@ -9,8 +9,8 @@ from masonry.assembly.assemble import Assembly
 from verification.case import Findings, Line
 from verification.checks import increments
 from verification.checks.paired_run import interface_model
-from verification.references.interface.model import Model
-from verification.references.interface.newton import Path
+from verification.references.interface.model import InterfaceModel
+from verification.references.interface.newton import EquilibriumPath
 
 Array = np.ndarray
 DEAD_STEPS = 4
@@ -29,7 +29,7 @@ def compare(
     findings: Findings,
     name: str,
     make: Callable[[], Assembly],
-    conditions: Callable[[Model], None],
+    conditions: Callable[[InterfaceModel], None],
     places: Sequence[float],
     allowed: Allowed,
     move: int,
@@ -68,9 +68,9 @@ def compare(
     findings.plot(name, "displacement of the drive (um)", "stress (MPa)", *lines)
 
 
-def follow(model: Model, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, Path]:
+def follow(model: InterfaceModel, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, EquilibriumPath]:
     """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path."""
-    path, force, harm = Path(model), [], []
+    path, force, harm = EquilibriumPath(model), [], []
     if model.dead.any():
         for load_factor in np.linspace(0.0, 1.0, DEAD_STEPS + 1)[1:]:
             path.go(0.0, dead=float(load_factor))

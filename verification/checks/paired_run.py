@@ -7,10 +7,10 @@ from masonry.model.contact_groups import contact_group_name
 from masonry.scene.tables.contact import Contact
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
-from verification.references.interface.model import Model, model
+from verification.references.interface.model import InterfaceModel, model
 
 
-def interface_model(assembly: Assembly) -> Model:
+def interface_model(assembly: Assembly) -> InterfaceModel:
     """Tier 1 of an assembly of tets, of one material; nothing is held, driven or loaded yet."""
     mesh, blocks = assembly.mesh, assembly.specimen.blocks
     assert mesh is not None and len(mesh.tets) > 0

@@ -47,7 +47,7 @@ class Chapter:
 
 
 @dataclass(frozen=True)
-class Cell:
+class TableCell:
     """A coloured table cell; `note` is the small print under it."""
 
     text: str
@@ -55,9 +55,9 @@ class Cell:
     note: str = ""
 
 
-def judged(text: Any, kind: bool | str, note: str = "") -> Cell:
+def judged(text: Any, kind: bool | str, note: str = "") -> TableCell:
     """A cell in the colour of a word of WORDS, or of whether it holds."""
-    return Cell(str(text), _kind(kind), note)
+    return TableCell(str(text), _kind(kind), note)
 
 
 def _kind(kind: bool | str) -> str:
@@ -114,7 +114,11 @@ def table(header: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "
     """
     rows = list(rows)
     top = "".join(f"<th>{escape(name)}</th>" for name in header)
-    names = list(header) if any(isinstance(cell, Cell) and cell.kind == "claim" for row in rows for cell in row) else []
+    names = (
+        list(header)
+        if any(isinstance(cell, TableCell) and cell.kind == "claim" for row in rows for cell in row)
+        else []
+    )
     body = "".join("<tr>" + "".join(map(_named, row, names) if names else map(_cell, row)) + "</tr>" for row in rows)
     head = f"<thead><tr>{top}</tr></thead>" if header else ""
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
@@ -132,7 +136,7 @@ def _cell(value: Any) -> str:
         return f"<td>{_link(value)}</td>"
     if isinstance(value, list):
         return f'<td class="text">{"; ".join(map(_link, value))}</td>'
-    if not isinstance(value, Cell):
+    if not isinstance(value, TableCell):
         return f"<td>{prose(value)}</td>"
     small = f"<small>{prose(value.note)}</small>" if value.note else ""
     return f'<td class="{value.kind}">{prose(value.text)}{small}</td>'
@@ -150,9 +154,9 @@ def without_dead_links(content: str) -> str:
     )
 
 
-def badge(kind: str) -> Cell:
+def badge(kind: str) -> TableCell:
     """The word of a verdict, in its colour."""
-    return Cell(WORDS[kind], kind)
+    return TableCell(WORDS[kind], kind)
 
 
 def percent(value: float | None, digits: int = 2) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from masonry.runtime.progress import duration
 from verification.html import cover
-from verification.html.page import Cell, Chapter, Link, Verdict, heading, link_line, paragraph, table
+from verification.html.page import Chapter, Link, TableCell, Verdict, heading, link_line, paragraph, table
 from verification.paper.experiment import Claim, Misprint, Shown
 
 TITLE = "The paper, whole"
@@ -43,7 +43,7 @@ def tables(shown: Sequence[Shown]) -> list[str]:
         if s.section.claims
     ]
     sound = [
-        [Link(s.experiment.title, s.experiment.name), Cell(c.says, "claim"), *row(c)[2:]]
+        [Link(s.experiment.title, s.experiment.name), TableCell(c.says, "claim"), *row(c)[2:]]
         for s in shown
         for c in s.soundness
     ]
@@ -57,15 +57,23 @@ def tables(shown: Sequence[Shown]) -> list[str]:
 
 def misprint_table(misprints: Sequence[Misprint]) -> str:
     """The list as a table."""
-    rows = [(m.where, Cell(m.printed, "claim"), Cell(m.comes_to, "claim"), Cell(m.built, "claim")) for m in misprints]
+    rows = [
+        (m.where, TableCell(m.printed, "claim"), TableCell(m.comes_to, "claim"), TableCell(m.built, "claim"))
+        for m in misprints
+    ]
     return table(MISPRINTED, rows, f"Misprints: {len(misprints)}")
 
 
-def row(claim: Claim) -> list[str | Cell]:
+def row(claim: Claim) -> list[str | TableCell]:
     """The cells of a claim, coloured by whether it holds."""
     word, kind = WORDS[claim.holds]
-    words = (Cell(claim.says, "claim"), claim.source, Cell(claim.check, "claim"), Cell(claim.measured, "claim"))
-    return [*words, Cell(word, kind, claim.why)]
+    words = (
+        TableCell(claim.says, "claim"),
+        claim.source,
+        TableCell(claim.check, "claim"),
+        TableCell(claim.measured, "claim"),
+    )
+    return [*words, TableCell(word, kind, claim.why)]
 
 
 def chapter(one: Shown) -> Chapter:

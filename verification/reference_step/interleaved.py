@@ -7,14 +7,14 @@ from typing import NamedTuple
 import numpy as np
 
 
-class Times(NamedTuple):
+class Timing(NamedTuple):
     """Least time (s) of some rounds, and by how much the upper quartile lies above it (share)."""
 
     least: float
     spread: float
 
 
-def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Times]:
+def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Timing]:
     """Times of each work, rounds interleaved."""
     taken = np.empty((rounds, len(works)))
     for times in taken:
@@ -24,7 +24,7 @@ def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Times]:
             times[k] = time.perf_counter() - begun
     least = taken.min(axis=0)
     upper = np.quantile(taken, 0.75, axis=0)
-    return [Times(float(a), float(b / a - 1.0)) for a, b in zip(least, upper, strict=True)]
+    return [Timing(float(a), float(b / a - 1.0)) for a, b in zip(least, upper, strict=True)]
 
 
 class Against(NamedTuple):

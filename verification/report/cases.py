@@ -7,7 +7,7 @@ from verification import text
 from verification.case import LOOSE, UNEXPECTED, Check
 from verification.catalogue import formula
 from verification.html import figures, page
-from verification.outcome import IMBALANCE, Outcome
+from verification.outcome import IMBALANCE, CaseOutcome
 from verification.records import records_of
 from verification.scene_runs import text_of
 
@@ -18,7 +18,7 @@ AREAS = (
 )
 
 
-def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
+def chapters(outcomes: Sequence[CaseOutcome], seconds: float) -> list[page.Chapter]:
     """An overview of all cases, then a chapter for each; none without outcomes."""
     if not outcomes:
         return []
@@ -36,18 +36,18 @@ def chapters(outcomes: Sequence[Outcome], seconds: float) -> list[page.Chapter]:
     return [made, *map(chapter, outcomes)]
 
 
-def _row(outcome: Outcome) -> list[str | page.Cell]:
+def _row(outcome: CaseOutcome) -> list[str | page.TableCell]:
     """The cells of a case after its name, the status in its colour."""
     _, row, status, *numbers = text.row(outcome)
-    return [row, page.Cell(status, KINDS[status]), *(page.Cell(number, "number") for number in numbers)]
+    return [row, page.TableCell(status, KINDS[status]), *(page.TableCell(number, "number") for number in numbers)]
 
 
-def anchor(outcome: Outcome) -> str:
+def anchor(outcome: CaseOutcome) -> str:
     """Where the chapter of a case begins on the page."""
     return f"case-{outcome.case.name}"
 
 
-def judge(made: page.Chapter, outcomes: Sequence[Outcome]) -> None:
+def judge(made: page.Chapter, outcomes: Sequence[CaseOutcome]) -> None:
     """A verdict on each area that has cases, and one on the energy ledgers of them all."""
     for area in _areas(outcomes):
         here = [o for o in outcomes if o.case.area == area]
@@ -64,18 +64,18 @@ def judge(made: page.Chapter, outcomes: Sequence[Outcome]) -> None:
         made.judge("Energy of the cases", fine, sentence)
 
 
-def _areas(outcomes: Sequence[Outcome]) -> list[str]:
+def _areas(outcomes: Sequence[CaseOutcome]) -> list[str]:
     """The areas in their order, those of the cases last that have one of their own."""
     return list(dict.fromkeys([*AREAS, *(o.case.area for o in outcomes)]))
 
 
-def _kind(here: Sequence[Outcome]) -> str:
+def _kind(here: Sequence[CaseOutcome]) -> str:
     if any(o.status in ("FAIL", "ERROR") for o in here):
         return "bad"
     return "none" if all(o.status == "NOT BUILT" for o in here) else "ok"
 
 
-def _sentence(here: Sequence[Outcome]) -> str:
+def _sentence(here: Sequence[CaseOutcome]) -> str:
     """How many hold, which is the nearest to its tolerance, and what does not hold."""
     built = [o for o in here if o.status != "NOT BUILT"]
     holds, checks = sum(o.status == "PASS" for o in built), [c for o in built for c in o.findings.checks]
@@ -90,12 +90,12 @@ def _sentence(here: Sequence[Outcome]) -> str:
     return "; ".join(said) + "."
 
 
-def chapter(outcome: Outcome) -> page.Chapter:
+def chapter(outcome: CaseOutcome) -> page.Chapter:
     """The page of a case: what it is, formula, pictures, numbers, ledgers, scene."""
     case, findings = outcome.case, outcome.findings
     made = page.Chapter(case.title, group=case.area, anchor=anchor(outcome), records=records_of(outcome))
     line = f"Row {case.row} of the catalogue, area “{case.area}”, `masonry verify {case.name}`"
-    status = page.Cell(outcome.status, KINDS[outcome.status])
+    status = page.TableCell(outcome.status, KINDS[outcome.status])
     lacking, wrong = outcome.status == "NOT BUILT", text.failures(outcome)
     made.add(
         page.table([], [[status, line, duration(outcome.seconds)]]),
@@ -121,7 +121,7 @@ CHECKS = ("quantity", "value", "reference", "error", "tolerance", "why this tole
 RUNS = ("run", "steps", "seconds of stepping", "energy residual / external work", "kinetic / internal energy")
 
 
-def _check(check: Check) -> list[str | page.Cell]:
+def _check(check: Check) -> list[str | page.TableCell]:
     unit = f" {check.unit}" if check.unit not in ("", "1") else ""
     notes = {
         f"too loose: passes by more than {LOOSE:.0f} times": check.too_loose,
@@ -133,18 +133,18 @@ def _check(check: Check) -> list[str | page.Cell]:
     most = "at most " if check.is_bound else ""
     return [
         check.quantity,
-        page.Cell(f"{check.value:.7g}{unit}", "number"),
-        page.Cell(f"{most}{check.reference:.7g}{unit}", "number", check.kind),
+        page.TableCell(f"{check.value:.7g}{unit}", "number"),
+        page.TableCell(f"{most}{check.reference:.7g}{unit}", "number", check.kind),
         page.judged("holds" if check.holds else "fails", kind)
         if check.is_bound
-        else page.Cell(f"{check.error:+.1e}", f"{kind} number", note),
-        "-" if check.is_bound else page.Cell(f"{check.tolerance:.0e}", "number", f"expected {check.expected:.0e}"),
-        page.Cell(check.reason, "text"),
+        else page.TableCell(f"{check.error:+.1e}", f"{kind} number", note),
+        "-" if check.is_bound else page.TableCell(f"{check.tolerance:.0e}", "number", f"expected {check.expected:.0e}"),
+        page.TableCell(check.reason, "text"),
     ]
 
 
-def _runs(outcome: Outcome) -> list[list[str | page.Cell]]:
-    rows: list[list[str | page.Cell]] = []
+def _runs(outcome: CaseOutcome) -> list[list[str | page.TableCell]]:
+    rows: list[list[str | page.TableCell]] = []
     for name, imbalance in outcome.findings.imbalance.items():
         measures, seconds = outcome.findings.measures.get(name, {}), outcome.findings.seconds.get(name, 0.0)
         steps, kinetic = measures.get("steps"), measures.get("kinetic_over_internal")

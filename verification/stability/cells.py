@@ -33,7 +33,7 @@ Make = Callable[[], Run]
 
 
 @dataclass(frozen=True)
-class Cell:
+class MapCell:
     """One run.
 
     scene    name of a scene of the verification or of a packaged one
@@ -59,7 +59,7 @@ class Grid:
     title: str
     row_title: str
     column_title: str
-    cells: dict[tuple[str, str], Cell]
+    cells: dict[tuple[str, str], MapCell]
     against: str = "closed form"
     note: str = ""
 
@@ -73,7 +73,7 @@ class Grid:
 
 
 @dataclass
-class Outcome:
+class CellOutcome:
     """What became of a cell: status, reason (the program's own words), largest error, kind of KINDS, records."""
 
     row: str

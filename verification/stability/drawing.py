@@ -6,7 +6,7 @@ from typing import Any
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
-from verification.stability.cells import KINDS, Grid, Outcome
+from verification.stability.cells import KINDS, CellOutcome, Grid
 
 COLOURS = {"ok": "#b7e0bd", "warn": "#ffe08a", "stop": "#c9ccd1", "bad": "#f08a80"}
 MEANINGS = {
@@ -25,7 +25,7 @@ TWO_KEYS = 4.8
 """Inches of a picture that has room for two of MEANINGS side by side."""
 
 
-def heat_map(grid: Grid, outcomes: list[Outcome]) -> Figure:
+def heat_map(grid: Grid, outcomes: list[CellOutcome]) -> Figure:
     """One grid: cells in the colour of their status, with the error written and drawn."""
     rows, columns = grid.rows, grid.columns
     margin = 0.35 + 0.085 * max(map(len, rows))
@@ -53,7 +53,7 @@ def heat_map(grid: Grid, outcomes: list[Outcome]) -> Figure:
     return figure
 
 
-def draw_cell(axes: Any, place: tuple[int, int], outcome: Outcome) -> None:
+def draw_cell(axes: Any, place: tuple[int, int], outcome: CellOutcome) -> None:
     """The cell whose upper left corner is at `place`."""
     x, y = place
     axes.add_patch(Rectangle((x, y), 1, 1, facecolor=COLOURS[outcome.kind], edgecolor="white", linewidth=1.5, zorder=1))

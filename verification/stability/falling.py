@@ -6,7 +6,7 @@ import numpy as np
 
 from verification.fixtures.dry_blocks import DENSITY, G, box, leaning, restitution, slab
 from verification.scene_runs import Run
-from verification.stability.cells import Cell, Exact, Grid
+from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.scenes import Knobs
 
 SCENE, ZETA, SLOPE, FRICTION = "dry-block", 0.2, 25.0, 0.3
@@ -35,7 +35,7 @@ def impacts(full: bool) -> Grid:
                 "solver.step_fraction": 0.1,
             }
             through = speed * period > 1.0  # it would enter the slab by more than its size
-            cells[f"{speed:g}", f"{kn:.0e}"] = Cell(SCENE, knobs, rebound, ("STOPPED",) if through else SOUND)
+            cells[f"{speed:g}", f"{kn:.0e}"] = MapCell(SCENE, knobs, rebound, ("STOPPED",) if through else SOUND)
     note = "What enters the slab by more than 1 % of the block is told; by more than a half, it ends the run."
     return Grid("A block that hits a slab", "speed [m/s]", "kn [Pa/m]", cells, note=note)
 
@@ -62,7 +62,7 @@ def sizes(full: bool) -> Grid:
                 "solver.duration": f"{np.sqrt(2.0 * size / G):.17g} s",
                 **leaning(SLOPE),
             }
-            cells[name, f"{kn:.0e}"] = Cell(SCENE, knobs, slid_by, SOUND)
+            cells[name, f"{kn:.0e}"] = MapCell(SCENE, knobs, slid_by, SOUND)
     return Grid("A block that slides down a plane", "block", "kn [Pa/m]", cells)
 
 
@@ -83,7 +83,7 @@ def masses(full: bool) -> Grid:
                 "settle.steps": 20000,
                 "solver.duration": f"{0.01 * max(1.0, np.sqrt(ratio)):.17g} s",  # the heavier, the longer it swings
             }
-            cells[f"{ratio:g}", f"{kn:.0e}"] = Cell(SCENE, knobs, borne, SOUND)
+            cells[f"{ratio:g}", f"{kn:.0e}"] = MapCell(SCENE, knobs, borne, SOUND)
     return Grid("A block on another one", "mass over that of the block below", "kn [Pa/m]", cells)
 
 

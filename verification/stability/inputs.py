@@ -1,6 +1,6 @@
 """Input that nobody can mean: refused, with the key; and numbers that are merely absurd: refused or right."""
 
-from verification.stability.cells import Cell, Grid
+from verification.stability.cells import Grid, MapCell
 from verification.stability.references import sheared
 from verification.stability.scenes import COUPLET, JOINT, Knobs
 
@@ -50,9 +50,9 @@ def numbers(full: bool) -> Grid:
                 column == "zero" and not key.endswith(MAY_BE_ZERO)
             )
             must = ("REFUSED",) if impossible else ()
-            cells[key.removeprefix(f"{JOINT}."), column] = Cell(COUPLET, {**FAST, key: value}, sheared, must)
+            cells[key.removeprefix(f"{JOINT}."), column] = MapCell(COUPLET, {**FAST, key: value}, sheared, must)
         wrong = {**FAST, key: "1 K"}
-        cells[key.removeprefix(f"{JOINT}."), "wrong unit"] = Cell(COUPLET, wrong, sheared, ("REFUSED",))
+        cells[key.removeprefix(f"{JOINT}."), "wrong unit"] = MapCell(COUPLET, wrong, sheared, ("REFUSED",))
     return Grid("Input that cannot be meant", "key", "value", cells)
 
 
@@ -73,5 +73,5 @@ CONTRADICTIONS: dict[str, Knobs] = {
 
 def contradictions() -> Grid:
     """What contradicts itself or leads nowhere."""
-    cells = {(row, ""): Cell(COUPLET, knobs, sheared, ("REFUSED",)) for row, knobs in CONTRADICTIONS.items()}
+    cells = {(row, ""): MapCell(COUPLET, knobs, sheared, ("REFUSED",)) for row, knobs in CONTRADICTIONS.items()}
     return Grid("Input that contradicts itself", "what", "", cells)

@@ -2,7 +2,7 @@
 
 from verification.references.closed_forms import Joint
 from verification.scene_runs import joint_of
-from verification.stability.cells import Cell, Grid
+from verification.stability.cells import Grid, MapCell
 from verification.stability.references import sheared, sheared_over_plastic_slip, torn
 from verification.stability.scenes import COUPLET, JOINT, PAIR, Knobs, pascals, slid
 
@@ -26,7 +26,7 @@ def stiffnesses(full: bool) -> Grid:
     for ratio in ratios:
         for kn in normal:
             knobs = {**STEPS, **pascals(normal_stiffness=kn, shear_stiffness=kn / ratio)}
-            cells[f"{ratio:g}", f"{kn:.0e}"] = Cell(COUPLET, slid(COUPLET, knobs), sheared)
+            cells[f"{ratio:g}", f"{kn:.0e}"] = MapCell(COUPLET, slid(COUPLET, knobs), sheared)
     note = "Below 1e9 Pa/m the confinement of 0.5 MPa closes the joint by more than 1 % of the block's height."
     return Grid("Stiffness of the joint", "kn/ks", "kn [Pa/m]", cells, note=note)
 
@@ -52,10 +52,10 @@ def confinements(full: bool) -> Grid:
     return Grid("Confinement", "law", "compression", cells, note=note)
 
 
-def shear_cell(knobs: Knobs, pressure: str, must: tuple[str, ...] = ("OK",), named: bool = True) -> Cell:
+def shear_cell(knobs: Knobs, pressure: str, must: tuple[str, ...] = ("OK",), named: bool = True) -> MapCell:
     """The couplet sheared under a compression."""
     set_here = {**STEPS, **knobs, "confinement": pressure if named else "0 Pa"}
-    return Cell(COUPLET, slid(COUPLET, set_here, 1e6 * float(pressure.split()[0])), sheared, must)
+    return MapCell(COUPLET, slid(COUPLET, set_here, 1e6 * float(pressure.split()[0])), sheared, must)
 
 
 RATIOS = (0.1, 0.5, 0.99, 1.01, 1.1, 2.0, 10.0, 100.0, 1e3, 1e4)
@@ -70,9 +70,9 @@ def energies_in_shear(full: bool) -> Grid:
             limit = float(joint.peak(0.5e6) - joint.residual(0.5e6)) ** 2 / (2.0 * joint.ks)
             knobs = {"law": law, **STEPS, **NO_SLOPE, **pascals(fracture_energy_mode_2=ratio * limit)}
             must = ("REFUSED",) if law == "linear" and ratio < 1.0 else ("OK",)
-            cells[law, f"{ratio:g}"] = Cell(COUPLET, slid(COUPLET, knobs), sheared, must)
+            cells[law, f"{ratio:g}"] = MapCell(COUPLET, slid(COUPLET, knobs), sheared, must)
             if law == "exponential":
-                cells[f"{law}, paced to 1 %", f"{ratio:g}"] = Cell(COUPLET, paced(slid(COUPLET, knobs)), sheared)
+                cells[f"{law}, paced to 1 %", f"{ratio:g}"] = MapCell(COUPLET, paced(slid(COUPLET, knobs)), sheared)
     over_plastic_slip(cells, full, joint_of(COUPLET, {}), limit)
     note = (
         "Over the plastic slip the exponential law snaps back below c0 (peak - residual)/ks, 1.7 times the limit of "
@@ -81,7 +81,7 @@ def energies_in_shear(full: bool) -> Grid:
     return Grid("Fracture energy in shear", "law", "G_II over the snap-back limit", cells, note=note)
 
 
-def over_plastic_slip(cells: dict[tuple[str, str], Cell], full: bool, joint: Joint, limit: float) -> None:
+def over_plastic_slip(cells: dict[tuple[str, str], MapCell], full: bool, joint: Joint, limit: float) -> None:
     """Add the row of the exponential law with the other softening variable."""
     least = joint.c0 * float(joint.peak(0.5e6) - joint.residual(0.5e6)) / joint.ks
     for ratio in RATIOS if full else ():
@@ -89,7 +89,7 @@ def over_plastic_slip(cells: dict[tuple[str, str], Cell], full: bool, joint: Joi
         knobs[f"{JOINT}.softening_variable"] = "plastic"
         must = ("REFUSED",) if ratio * limit <= least else ("OK",)
         place = "exponential, over plastic slip", f"{ratio:g}"
-        cells[place] = Cell(COUPLET, slid(COUPLET, knobs), sheared_over_plastic_slip, must)
+        cells[place] = MapCell(COUPLET, slid(COUPLET, knobs), sheared_over_plastic_slip, must)
 
 
 PULL: Knobs = {**STEPS, "confinement": "0 Pa", "drive.direction": "z"}
@@ -106,9 +106,9 @@ def energies_in_tension(full: bool) -> Grid:
             knobs = {"law": law, **PULL, "drive.displacement": f"{opened!r} m"}
             must = ("REFUSED",) if law == "linear" and ratio < 1.0 else ("OK",)
             knobs |= pascals(fracture_energy_mode_1=ratio * limit)
-            cells[law, f"{ratio:g}"] = Cell(PAIR, knobs, torn, must)
+            cells[law, f"{ratio:g}"] = MapCell(PAIR, knobs, torn, must)
             if law == "exponential":
-                cells[f"{law}, paced to 1 %", f"{ratio:g}"] = Cell(PAIR, paced(knobs), torn)
+                cells[f"{law}, paced to 1 %", f"{ratio:g}"] = MapCell(PAIR, paced(knobs), torn)
     return Grid("Fracture energy in tension", "law", "G_I over the snap-back limit", cells)
 
 
@@ -123,7 +123,7 @@ def brittle(full: bool) -> Grid:
     for steps in (100, 1000, 10000, 100000) if full else (1000,):
         common = {"law": "brittle", "solver.rows": 200, "drive.steps": steps}
         pull = {**PULL, **common, "drive.displacement": "10 um"}
-        cells["tension", str(steps)] = Cell(PAIR, pull, torn)
-        cells["shear", str(steps)] = Cell(COUPLET, {**common, "drive.displacement": "50 um"}, sheared)
+        cells["tension", str(steps)] = MapCell(PAIR, pull, torn)
+        cells["shear", str(steps)] = MapCell(COUPLET, {**common, "drive.displacement": "50 um"}, sheared)
     note = "The elastic energy goes in one step: it is booked to within half a step times the drop."
     return Grid("Brittle contacts", "mode", "steps of the drive", cells, note=note)

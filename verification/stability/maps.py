@@ -6,7 +6,7 @@ from typing import Any
 from verification import stability, timed_run
 from verification.catalogue import modules_of
 from verification.scene_runs import Run
-from verification.stability.cells import GOOD, POOR, Cell, Grid, Outcome
+from verification.stability.cells import GOOD, POOR, CellOutcome, Grid, MapCell
 
 
 def all_grids(full: bool) -> list[Grid]:
@@ -15,12 +15,12 @@ def all_grids(full: bool) -> list[Grid]:
     return [grid for module in modules for grid in module.grids(full)]
 
 
-def run(grid: Grid) -> list[Outcome]:
+def run(grid: Grid) -> list[CellOutcome]:
     """All cells of a grid, row by row."""
     return [run_cell(grid, row, column, cell) for (row, column), cell in grid.cells.items()]
 
 
-def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
+def run_cell(grid: Grid, row: str, column: str, cell: MapCell) -> CellOutcome:
     """One cell; never raises for what the program itself refuses or stops."""
     one = cell.make() if cell.make else timed_run.run(cell.scene, cell.knobs)
     compared = cell.compare(one) if one.ok else {}
@@ -32,7 +32,7 @@ def run_cell(grid: Grid, row: str, column: str, cell: Cell) -> Outcome:
     ] or [timed_run.record(one, "status", math.nan, math.nan, grid.against)]
     said: dict[str, Any] = {"case": cell.scene, "status": status, "reason": reason, "knob": grid.title}
     said |= {"rung": f"{row}, {column}", "knobs": {key: _plain(value) for key, value in cell.knobs.items()}}
-    return Outcome(row, column, status, reason, error, kind, [entry | said for entry in entries])
+    return CellOutcome(row, column, status, reason, error, kind, [entry | said for entry in entries])
 
 
 def _plain(value: Any) -> Any:

@@ -10,7 +10,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.loading.scheduled import Program
 from masonry.timeloop import compiled_step
 from verification.scene_runs import Run, joint_of, load
-from verification.stability.cells import Cell, Exact, Grid
+from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.references import torn
 from verification.stability.scenes import CHAIN, Knobs, chain_of
 
@@ -42,7 +42,7 @@ def fractions(full: bool) -> Grid:
                 "solver.step_fraction": step_fraction,
                 "drive.steps": round(18000 / step_fraction),
             }
-            cells[row, f"{step_fraction:g}"] = Cell(CHAIN, knobs, torn, must)
+            cells[row, f"{step_fraction:g}"] = MapCell(CHAIN, knobs, torn, must)
     return Grid("Time step over the proven bound", "motion", "step fraction", cells)
 
 
@@ -57,7 +57,7 @@ def true_limits(full: bool) -> Grid:
         for step_fraction in step_fractions:
             must = ("OK", "WARNED") if step_fraction < 1.0 else ("STOPPED",)
             knobs = {"solver.step_fraction": step_fraction * limit / bound, "drive.steps": round(18000 / step_fraction)}
-            cells[row, f"{step_fraction:g}"] = Cell(CHAIN, {**guided, **knobs}, torn, must)
+            cells[row, f"{step_fraction:g}"] = MapCell(CHAIN, {**guided, **knobs}, torn, must)
     note = "Limit: 2/w over sqrt(1 + xi), w = 2 sqrt(k/m) cos(pi/(2 n + 2)) for n free blocks between two held ones."
     return Grid("Time step over the true limit", "motion", "time step over the limit", cells, note=note)
 
@@ -77,7 +77,7 @@ def rates(full: bool) -> Grid:
     for row, damping in DAMPING.items() if full else list(DAMPING.items())[:1]:
         for factor in times:
             knobs = {**REAL, **damping, "drive.rate": f"{factor:g} mm/s"}
-            cells[row, f"x{factor}"] = Cell(CHAIN, knobs, torn)
+            cells[row, f"x{factor}"] = MapCell(CHAIN, knobs, torn)
     return Grid("Rate", "motion", "rate over 1 mm/s", cells)
 
 
@@ -88,7 +88,7 @@ def endurance(full: bool) -> Grid:
     cells = {}
     for count in counts:
         for row, compare in (("energy", _energy), ("place", _place)):
-            cells[row, f"{count:.0e}"] = Cell(CHAIN, knobs, compare, ("OK",), _Swing(count, knobs))
+            cells[row, f"{count:.0e}"] = MapCell(CHAIN, knobs, compare, ("OK",), _Swing(count, knobs))
     note = (
         "Energy: the largest change of v(n-1/2) M v(n+1/2)/2 + k q^2/2 at any of 1000 looks. Place: against the exact "
         "solution of the leapfrog scheme, whose steps turn the phase by arccos(1 - (w dt)^2/2)."

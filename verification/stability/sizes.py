@@ -1,6 +1,6 @@
 """Sizes: a speck beside a boulder, slivers, and densities of feathers and of stars."""
 
-from verification.stability.cells import Cell, Grid
+from verification.stability.cells import Grid, MapCell
 from verification.stability.references import sheared, torn
 from verification.stability.scenes import CHAIN, PAIR, Knobs, chain_of, pair_of
 
@@ -17,7 +17,7 @@ def ratios(full: bool) -> Grid:
     edges = [10.0**-k for k in range(7)] if full else [1.0, 1e-6]
     arranged = {"small on large": lambda a: (1.0, a), "large on small": lambda a: (a, 1.0), "both": lambda a: (a, a)}
     cells = {
-        (row, f"{1.0 / edge:g}"): Cell(PAIR, {"drive.steps": 5000, **pair_of(*place(edge))}, sheared, ("OK",))
+        (row, f"{1.0 / edge:g}"): MapCell(PAIR, {"drive.steps": 5000, **pair_of(*place(edge))}, sheared, ("OK",))
         for row, place in arranged.items()
         for edge in edges
     }
@@ -33,7 +33,7 @@ def slivers(full: bool) -> Grid:
         for ratio in thin:
             knobs = {**PULLED, **chain_of((0.1, 0.1 / ratio, 0.1)), "material.units.poisson_ratio": 0.0}
             knobs |= {"kinematics": kinematics, "specimen.mesh": "fan"}
-            cells[kinematics, f"{ratio:g}"] = Cell(CHAIN, knobs, torn)
+            cells[kinematics, f"{ratio:g}"] = MapCell(CHAIN, knobs, torn)
     note = "Poisson's ratio is 0, so that the stuck ends do not disturb the uniform stress."
     return Grid("Slivers", "units", "length over thickness", cells, note=note)
 
@@ -45,5 +45,7 @@ def densities(full: bool) -> Grid:
     for masses in ("scaled", "real"):
         for density in values:
             knobs = {**PULLED, **chain_of((0.1,) * 6), "solver.masses": masses}
-            cells[masses, f"{density:g}"] = Cell(CHAIN, knobs | {"material.units.density": f"{density:g} kg/m^3"}, torn)
+            cells[masses, f"{density:g}"] = MapCell(
+                CHAIN, knobs | {"material.units.density": f"{density:g} kg/m^3"}, torn
+            )
     return Grid("Density", "masses", "density [kg/m3]", cells)

@@ -6,7 +6,7 @@ from geometry.blocks import Blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import from_faces
 from verification.scene_runs import Run
-from verification.stability.cells import Cell, Exact, Grid
+from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.references import sheared
 from verification.stability.scenes import PAIR, Knobs, box
 
@@ -28,16 +28,16 @@ def grids(full: bool) -> list[Grid]:
         ("one in the other", ""): _third(into, ALSO_HELD, ("REFUSED",)),
         ("along an edge: no area", ""): _third(edge, ALSO_HELD, ("OK",)),
         ("in a corner: no area", ""): _third(corner, ALSO_HELD, ("OK",)),
-        ("a face that is there twice", ""): Cell(PAIR, {}, _area, ("OK",), face_twice),
+        ("a face that is there twice", ""): MapCell(PAIR, {}, _area, ("OK",), face_twice),
     }
     return [Grid("Blocks that touch oddly", "third block, or face", "", cells)]
 
 
-def _third(origin: tuple[float, float, float], support: list[Knobs], must: tuple[str, ...]) -> Cell:
+def _third(origin: tuple[float, float, float], support: list[Knobs], must: tuple[str, ...]) -> MapCell:
     """The pair with a third cube of 1 m."""
     boxes = [LOW, TOP, box("third", origin, (1.0,) * 3, 2)]
     knobs = {**FAST, "specimen.box": boxes, "specimen.section": "1 m^2", "support": support}
-    return Cell(PAIR, knobs, sheared, must)
+    return MapCell(PAIR, knobs, sheared, must)
 
 
 def face_twice() -> Run:

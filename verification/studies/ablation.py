@@ -48,7 +48,7 @@ def compare(part: Part, rounds: int = ROUNDS) -> tuple[float, float, float]:
 def chapter(tell: Callable[[str], None], parts: Sequence[Part] = PARTS) -> page.Chapter:
     """A table of all parts, reduced against full; then sizes, what is compiled and what is not, scene by scene."""
     made = page.Chapter("What each scene leaves out")
-    rows: list[list[str | page.Cell]] = []
+    rows: list[list[str | page.TableCell]] = []
     wrong, slow, bits = [], [], 0
     for part in parts:
         tell(f"left out: {part.name}")
@@ -106,7 +106,7 @@ def shipped(name: str, tell: Callable[[str], None]) -> list[str]:
         f"{report['blocks']} blocks, {report['contact_points']} contact points ({contacts}), {report['freedoms']} "
         f"degrees of freedom, {report['steps']} steps of {report['time_step_s']:.3g} s."
     )
-    lists = [page.Cell("\n".join(report[key]), "text") for key in ("compiled", "left_out")]
+    lists = [page.TableCell("\n".join(report[key]), "text") for key in ("compiled", "left_out")]
     warned = page.bullets(report["warnings"]) if report["warnings"] else ""
     return [page.heading(f"{name}: {loaded.title}"), sizes, page.table(["in the step", "left out"], [lists]), warned]
 

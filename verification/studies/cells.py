@@ -26,7 +26,7 @@ MESH_SIZE, ROUND = 0.55, 0.15
 
 
 @dataclass(frozen=True)
-class Case:
+class DividedBox:
     """Boxes to divide and what is sought: shortest over mean edge, share of small edges, size error, joint segment."""
 
     name: str
@@ -41,7 +41,7 @@ class Case:
     meshed: bool = False
 
 
-def cases() -> list[Case]:
+def cases() -> list[DividedBox]:
     """The wallette of the paper's Fig. 9, the mortar bed of its couplet, and a brick in all three dimensions."""
     wall = scene.load("wallette-mode-1").specimen
     assert wall.kind == "wallette"
@@ -50,14 +50,14 @@ def cases() -> list[Case]:
     bed = np.array([[0.0, 0.0, 0.05]]), np.array([[0.2, 0.005, 0.065]])
     brick = np.zeros((1, 3)), np.array([[0.23, 0.114, 0.065]])
     plane = [
-        Case(f"wallette, {n}", bond.low, bond.high, CellRequest(total=n), "0.15 to 0.34; some", meshed=n != 335)
+        DividedBox(f"wallette, {n}", bond.low, bond.high, CellRequest(total=n), "0.15 to 0.34; some", meshed=n != 335)
         for n in (218, 335, 540)
     ]
-    mortar = [Case(f"mortar bed 200 x 15 mm, {n}", *bed, CellRequest(total=n), "-") for n in (100, 300)]
+    mortar = [DividedBox(f"mortar bed 200 x 15 mm, {n}", *bed, CellRequest(total=n), "-") for n in (100, 300)]
     many = CellRequest(total=540, space=True)
     space = [
-        Case("brick in space, 218", *brick, CellRequest(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
-        Case("brick in space, 540", *brick, many, "0.04 to 0.07; 4 to 5 %", edge=0.3, small=0.05, size=0.02),
+        DividedBox("brick in space, 218", *brick, CellRequest(total=218, space=True), "0.09 to 0.2; 5 %", meshed=True),
+        DividedBox("brick in space, 540", *brick, many, "0.04 to 0.07; 4 to 5 %", edge=0.3, small=0.05, size=0.02),
     ]
     return plane + mortar + space
 
@@ -97,12 +97,12 @@ INTRODUCTION = (
 )
 
 
-def _divided(case: Case, seed: int):
+def _divided(case: DividedBox, seed: int):
     request = CellRequest(total=case.request.total, space=case.request.space, seed=seed)
     return fill_with_cells(case.low, case.high, request, "units")
 
 
-def _row(case: Case, reports: list[CellReport], met: list[bool]) -> list[page.Cell | str]:
+def _row(case: DividedBox, reports: list[CellReport], met: list[bool]) -> list[page.TableCell | str]:
     edge, small = min(r.shortest_over_mean for r in reports), max(r.small_edges for r in reports)
     size, joints = max(r.size_error for r in reports), [r.shortest_joint for r in reports if r.shortest_joint]
     limits = [
@@ -113,11 +113,11 @@ def _row(case: Case, reports: list[CellReport], met: list[bool]) -> list[page.Ce
     limits += [(f"{min(joints):.2f} h", min(joints) >= case.joint, f"{case.joint:g} h")] if joints else []
     met += [good for _, good, _ in limits]
     cells = [page.judged(text, good, f"sought {sought}") for text, good, sought in limits]
-    cells += [] if joints else [page.Cell("-")]
+    cells += [] if joints else [page.TableCell("-")]
     return [case.name, *cells, f"{max(r.seconds for r in reports):.2g}", case.neper]
 
 
-def _meshed(case: Case, ratios: list[float]) -> list[page.Cell | str | int]:
+def _meshed(case: DividedBox, ratios: list[float]) -> list[page.TableCell | str | int]:
     blocks, report = _divided(case, 0)
     joints = find_joints(blocks)
     begin = time.perf_counter()

@@ -49,7 +49,7 @@ def chapter(
     made = page.Chapter("Couplet against closed forms")
     worst = dict.fromkeys(TOLERANCE, 0.0)
     panels: dict[str, list[tuple[str, np.ndarray, np.ndarray, np.ndarray]]] = {}
-    rows: list[list[str | page.Cell]] = []
+    rows: list[list[str | page.TableCell]] = []
     for law, motion, confinement in itertools.product(laws, kinematics, confinements):
         tell(f"couplet: {law}, {motion}, {confinement}")
         one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})

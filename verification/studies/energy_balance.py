@@ -23,7 +23,7 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
     for case in sorted({one.name for one in sorts[QUIET]}):
         runs = [one for one in sorts[QUIET] if one.name == case]
         tell(f"energy balance: {case}, {len(runs)} runs")
-        cells: list[str | int | page.Cell] = [case, len(runs)]
+        cells: list[str | int | page.TableCell] = [case, len(runs)]
         for key, (limit, figure) in FIGURES.items():
             highest = max(runs, key=figure)
             value = figure(highest)

@@ -54,10 +54,10 @@ def near(shipped: Point, points: list[Point], doubt: float) -> bool:
     return shipped.seconds <= NEAR * quickest or shipped.seconds - quickest <= FELT
 
 
-def row(study: Study) -> list[str | page.Cell | page.Link]:
+def row(study: Study) -> list[str | page.TableCell | page.Link]:
     """A problem in the table of them all."""
     problem, points, shipped, doubt = study.problem, study.points(), study.shipped, study.doubt
-    cells: list[str | page.Cell | page.Link] = [page.Link(problem.title, anchor(problem)), "-", "-"]
+    cells: list[str | page.TableCell | page.Link] = [page.Link(problem.title, anchor(problem)), "-", "-"]
     if shipped is not None:
         best = min(equals(shipped, points, doubt), key=lambda p: p.seconds)
         ratio = f"{shipped.seconds / best.seconds:.2g} times quicker, {best.knob} {best.label}"
@@ -71,9 +71,9 @@ def row(study: Study) -> list[str | page.Cell | page.Link]:
         quickest = min(good, key=lambda p: p.seconds, default=None)
         why = "not reached" if doubt <= target else f"reference to {page.percent(doubt)}"
         cells.append(
-            page.Cell(_seconds(quickest), "", f"{quickest.knob} {quickest.label}")
+            page.TableCell(_seconds(quickest), "", f"{quickest.knob} {quickest.label}")
             if quickest
-            else page.Cell("-", "none", why)
+            else page.TableCell("-", "none", why)
         )
     return [*cells, str(len(points))]
 
@@ -122,14 +122,14 @@ def times(study: Study) -> str:
     by_quantity = {q: study.lines(q) for q in study.references}
     rows = []
     for knob in study.problem.knobs:
-        cells: list[str | page.Cell] = [knob]
+        cells: list[str | page.TableCell] = [knob]
         for q, lines in by_quantity.items():
             for target in TARGETS:
                 seconds = time_to(lines.get(knob, []), target)
                 cells.append(
-                    page.Cell("-", "none", f"reference only to {page.percent(study.doubts[q])}")
+                    page.TableCell("-", "none", f"reference only to {page.percent(study.doubts[q])}")
                     if study.doubts[q] > target
-                    else page.Cell(f"{seconds[0]:.2g} s", "ok", f"at {seconds[1]}")
+                    else page.TableCell(f"{seconds[0]:.2g} s", "ok", f"at {seconds[1]}")
                     if seconds
                     else "not reached"
                 )

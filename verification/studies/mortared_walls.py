@@ -28,7 +28,7 @@ THROUGH = "y"
 """The direction across the joints of walls that bend out of their plane."""
 
 
-class Wall(NamedTuple):
+class MortaredWall(NamedTuple):
     """A scene, what is set anew in it, and the direction in which points along edges count where its joints bend."""
 
     scene: str
@@ -41,33 +41,33 @@ class Wall(NamedTuple):
         return {**self.knobs, "specimen.contact_points": rule, "specimen.points_per_edge": numbers}
 
 
-def walls() -> dict[str, Wall]:
+def walls() -> dict[str, MortaredWall]:
     """Twelve of them."""
     window = {"name": "window", "left": "0.5 m", "sill": "0.5 m", "width": "0.5 m", "height": "0.75 m"}
     door = {"name": "door", "left": "2 m", "width": "0.5 m", "height": "1.25 m"}
     facade = {"specimen.length": "3 m", "specimen.height": "1.75 m", "specimen.opening": [window, door]}
     weight = {"gravity": {"z": "-9.81 m/s^2"}, "traction": []}
     return {
-        "wall with a door": Wall(WALL, {}),
-        "facade, 0.3 MPa": Wall(WALL, {**facade, "confinement": "0.3 MPa"}),
-        "facade, own weight": Wall(WALL, {**facade, **weight, "support.1.fix": TURNS}),
-        "squat wall, 0.5 MPa": Wall(WALL, _solid("2 m", "1 m", "0.5 MPa")),
-        "weak mortar": Wall(WALL, _solid("1.5 m", "1.5 m", "0.2 MPa", **WEAK)),
-        "slender pier": Wall(
+        "wall with a door": MortaredWall(WALL, {}),
+        "facade, 0.3 MPa": MortaredWall(WALL, {**facade, "confinement": "0.3 MPa"}),
+        "facade, own weight": MortaredWall(WALL, {**facade, **weight, "support.1.fix": TURNS}),
+        "squat wall, 0.5 MPa": MortaredWall(WALL, _solid("2 m", "1 m", "0.5 MPa")),
+        "weak mortar": MortaredWall(WALL, _solid("1.5 m", "1.5 m", "0.2 MPa", **WEAK)),
+        "slender pier": MortaredWall(
             WALL, _solid("0.5 m", "1.5 m", "0.2 MPa", "0.25 m") | {"support.1.fix": TURNS, "drive.displacement": "2 mm"}
         ),
-        "pier under a level beam": Wall(WALL, _solid("0.5 m", "1 m", "0.4 MPa", "0.25 m")),
-        "cantilever out of plane": Wall(BLOCK, _stack(6) | weight | {"support.1": _hold("b5", ["x"])}, THROUGH),
-        "strip, pushed at its middle": Wall(
+        "pier under a level beam": MortaredWall(WALL, _solid("0.5 m", "1 m", "0.4 MPa", "0.25 m")),
+        "cantilever out of plane": MortaredWall(BLOCK, _stack(6) | weight | {"support.1": _hold("b5", ["x"])}, THROUGH),
+        "strip, pushed at its middle": MortaredWall(
             BLOCK,
             _stack(7)
             | {"support.1": _hold("b6", ["x", "y", "rotation"]), "drive.on": "b3", "drive.displacement": "1 mm"}
             | {"traction.0.on": "b6.z+", "traction.0.stress": {"z": "-0.2 MPa"}},
             THROUGH,
         ),
-        "block, brittle mortar": Wall(BLOCK, {"contact.unit_unit.fracture_energy_mode_1": "1 N/m"}),
-        "block, tough mortar": Wall(BLOCK, {"contact.unit_unit.fracture_energy_mode_1": "50 N/m"}),
-        "block, pressed": Wall(BLOCK, {"traction.0.stress": {"z": "-0.3 MPa"}}),
+        "block, brittle mortar": MortaredWall(BLOCK, {"contact.unit_unit.fracture_energy_mode_1": "1 N/m"}),
+        "block, tough mortar": MortaredWall(BLOCK, {"contact.unit_unit.fracture_energy_mode_1": "50 N/m"}),
+        "block, pressed": MortaredWall(BLOCK, {"traction.0.stress": {"z": "-0.3 MPa"}}),
     }
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 from verification import timed_run
 from verification.html import page
-from verification.studies.mortared_walls import ENOUGH, Wall, said, walls
+from verification.studies.mortared_walls import ENOUGH, MortaredWall, said, walls
 
 ORDER = 50
 POINTS = (("gauss", 2), ("vertex", 2), ("gauss", 4), ("vertex", 4), ("gauss", 6), ("vertex", 6))
@@ -12,7 +12,7 @@ OFF = 0.05
 """Error of a peak that must be told, with its sign."""
 
 
-def errors(wall: Wall, points: tuple[tuple[str, int], ...] = POINTS) -> list[tuple[float, float]]:
+def errors(wall: MortaredWall, points: tuple[tuple[str, int], ...] = POINTS) -> list[tuple[float, float]]:
     """(error of the peak against that by many points, what the run says of it) for each rule and number of points."""
     peaks, words = [], []
     for rule, number in (("gauss", ENOUGH), *points):
@@ -22,10 +22,10 @@ def errors(wall: Wall, points: tuple[tuple[str, int], ...] = POINTS) -> list[tup
     return [(peak / peaks[0] - 1.0, word) for peak, word in zip(peaks[1:], words[1:], strict=True)]
 
 
-def chapter(tell: Callable[[str], None], chosen: Mapping[str, Wall] | None = None) -> page.Chapter:
+def chapter(tell: Callable[[str], None], chosen: Mapping[str, MortaredWall] | None = None) -> page.Chapter:
     """A table of all walls, and the verdict on what runs say of their own points."""
     made = page.Chapter("Contact points of joints that bend")
-    rows: list[list[str | page.Cell]] = []
+    rows: list[list[str | page.TableCell]] = []
     missed: list[str] = []
     wrong, worst, count = 0, 0.0, 0
     for name, wall in (chosen or walls()).items():

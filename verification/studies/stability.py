@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from verification.html import page
 from verification.stability import maps
-from verification.stability.cells import Grid, Outcome
+from verification.stability.cells import CellOutcome, Grid
 from verification.stability.drawing import heat_map, written
 
 ORDER = 30
@@ -33,7 +33,7 @@ def chapter(tell: Tell, chosen: list[Grid] | None = None, full: bool = True) -> 
     return made
 
 
-def parts_of(grid: Grid, outcomes: list[Outcome]) -> list[str]:
+def parts_of(grid: Grid, outcomes: list[CellOutcome]) -> list[str]:
     """Heading, note, picture, and the table of the reasons: what is red is open, the others are folded away."""
     caption = f"{grid.title}: colour, what became of each run; number and bar, its error against the {grid.against}."
     wrong = [outcome for outcome in outcomes if outcome.kind == "bad"]
@@ -48,10 +48,10 @@ def parts_of(grid: Grid, outcomes: list[Outcome]) -> list[str]:
     ]
 
 
-def table_of(grid: Grid, outcomes: list[Outcome]) -> str:
+def table_of(grid: Grid, outcomes: list[CellOutcome]) -> str:
     """Row, column, status, error and reason in full."""
     rows = [
-        [o.row, o.column, page.Cell(o.status, o.kind), written(o.error) if o.error == o.error else "-", o.reason]
+        [o.row, o.column, page.TableCell(o.status, o.kind), written(o.error) if o.error == o.error else "-", o.reason]
         for o in outcomes
     ]
     return page.table([grid.row_title, grid.column_title, "status", "error", "reason"], rows)

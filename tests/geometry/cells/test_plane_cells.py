@@ -14,7 +14,7 @@ from geometry.blocks import GeometryError
 from geometry.cells.plane import areas_and_centroids, hold_sizes, plane_diagram
 from geometry.cells.plane_cells import divide_plane
 from geometry.cells.plane_domains import plane_domains
-from geometry.cells.plane_energy import Wishes, energy, tessellate
+from geometry.cells.plane_energy import PlaneTargets, energy, tessellate
 from geometry.cells.request import CellRequest
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import face_areas_normals_centroids, volumes
@@ -134,7 +134,7 @@ def random_state(rng, n):
 def test_the_gradient_of_the_energy_is_its_slope(seed, n):
     rng = np.random.default_rng(seed)
     diagram, site, weight = random_state(rng, n)
-    wishes = Wishes(np.full(2 * n, 20 / n), 0.7, 0.6, 3.0, 1.0, 2.0)
+    wishes = PlaneTargets(np.full(2 * n, 20 / n), 0.7, 0.6, 3.0, 1.0, 2.0)
     room = diagram.corner, diagram.label, diagram.count
 
     def value(s, w):

@@ -13,7 +13,7 @@ from geometry.cells.domain import Domain, box_domain
 from geometry.cells.power import Power, tessellate
 from geometry.cells.power_blocks import cell_volumes, edge_lengths, to_blocks
 from geometry.cells.space import divide_space, random_sites_in, space_report
-from geometry.cells.space_energy import Wishes
+from geometry.cells.space_energy import SpaceTargets
 from geometry.cells.transport import SpaceDiagram, hold_sizes, relax
 from geometry.polyhedra.measures import centroids, volumes
 from geometry.polyhedra.overlaps import check_overlaps
@@ -65,7 +65,7 @@ def test_the_gradient_of_the_energy_is_that_of_finite_differences(domain):
     n = 60
     diagram = random_diagram(n, domain=domain, spread=0.05)
     relax(diagram, 5)
-    wishes = Wishes(np.linspace(0.8, 1.2, n), np.linspace(0.9, 1.1, n), 0.4, 30.0, 0.5)
+    wishes = SpaceTargets(np.linspace(0.8, 1.2, n), np.linspace(0.9, 1.1, n), 0.4, 30.0, 0.5)
     diagram.energy(wishes)
     slope = np.concatenate([diagram.to_site.ravel(), diagram.to_weight])
     site, weight = diagram.site.copy(), diagram.weight.copy()
@@ -81,7 +81,7 @@ def test_the_gradient_of_the_energy_is_that_of_finite_differences(domain):
 
 def test_energies_of_some_cells_add_up_to_those_of_all():
     diagram = random_diagram(60)
-    wishes = Wishes(np.ones(60), np.ones(60), 0.4, 30.0, 0.5)
+    wishes = SpaceTargets(np.ones(60), np.ones(60), 0.4, 30.0, 0.5)
     parts = [diagram.energy(wishes, cells) for cells in np.array_split(np.arange(60), 3)]
     assert diagram.energy(wishes) == pytest.approx(sum(parts), rel=1e-13)
 

@@ -12,7 +12,7 @@ import masonry
 from masonry.limit_analysis.contacts import contacts_of, sliding_fraction, touching
 from masonry.statics.interior_point import Programme, true_gap
 from masonry.statics.no_dilation import _LoadPath, without_dilation
-from masonry.statics.problem import Bodies, Contacts, Solution
+from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import Method, largest_factor
 from tests.limit.blocks import CONES, PLANE, dry, stack
@@ -72,7 +72,7 @@ def test_the_mechanism_of_a_factor_of_safety_is_that_of_what_falls_just_beyond_i
     assert mechanism.velocity[1, 0] > 0.0 and mechanism.normal.sum() == pytest.approx(2.0 * 0.2 * 0.3, rel=1e-6)
 
 
-def at_rest(monkeypatch, bodies: Bodies, contacts: Contacts) -> Solution:
+def at_rest(monkeypatch, bodies: RigidBodies, contacts: RigidContacts) -> Solution:
     """The forces under the dead loads alone, with which the way to a factor without dilation begins."""
     begin, begun = _LoadPath.at_rest, []
 
@@ -94,11 +94,11 @@ def test_before_any_load_a_groove_shares_a_weight_as_springs_do(degrees, monkeyp
     normal = np.array([[np.sin(slope), 0.0, np.cos(slope)], [-np.sin(slope), 0.0, np.cos(slope)]])
     free, load = np.zeros((2, 6), dtype=bool), np.zeros((2, 6))
     free[1, :3], load[1, 2] = True, -weight
-    bodies = Bodies(np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 0.5]]), free, load, np.eye(2, 6, -1))
+    bodies = RigidBodies(np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 0.5]]), free, load, np.eye(2, 6, -1))
     one, none = np.ones(2), np.zeros(2)
     blocks = np.zeros(2, dtype=int), np.ones(2, dtype=int)
     point = np.array([[-0.3, 0.0, 0.2], [0.3, 0.0, 0.2]])
-    contacts = Contacts(*blocks, point, normal, np.arange(2), one, 9.0 * one, none, none, none > 0.0)
+    contacts = RigidContacts(*blocks, point, normal, np.arange(2), one, 9.0 * one, none, none, none > 0.0)
     forces = at_rest(monkeypatch, bodies, contacts)
     pressing = weight * np.cos(slope) / (2.0 * (np.cos(slope) ** 2 + np.sin(slope) ** 2 / 2.5))
     assert forces.normal == pytest.approx([pressing, pressing], rel=1e-5)

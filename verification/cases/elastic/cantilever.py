@@ -22,7 +22,7 @@ from verification.fixtures.structured import row_of_boxes
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import model
-from verification.references.interface.newton import Path
+from verification.references.interface.newton import EquilibriumPath
 
 BLOCKS, LENGTH, HEIGHT, WIDTH = 5, 0.1, 0.1, 0.02
 MODULUS, NORMAL, SHEAR, STRESS = 10e9, 150e9, 70e9, 1e4
@@ -62,7 +62,7 @@ def at_once(mesh: TetMesh) -> np.ndarray:
     beam = model(solid(mesh.nodes, mesh.tets, block), MODULUS, 0.0, lambda a, b: Law("elastic", NORMAL, SHEAR))
     beam.hold("xyz", lambda x, b: x[:, 0] < near)
     beam.load = beam.pressed((0.0, 0.0, -STRESS), lambda x: x[0] > BLOCKS * LENGTH - near)
-    path = Path(beam)
+    path = EquilibriumPath(beam)
     path.go(1.0)
     return beam.displacement(path.displacements())
 

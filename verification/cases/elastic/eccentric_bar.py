@@ -19,8 +19,8 @@ import numpy as np
 from verification.case import Case, Check, Findings, Line
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
-from verification.references.interface.model import Model, model
-from verification.references.interface.newton import Path
+from verification.references.interface.model import InterfaceModel, model
+from verification.references.interface.newton import EquilibriumPath
 
 YOUNG, KN, KS, STRENGTH, ENERGY = 16.7e9, 150e9, 70e9, 0.58e6, 5.8
 DEPTH, WIDTH, HEIGHT, NEAR = 0.1, 0.05, 0.1, 1e-9
@@ -40,7 +40,7 @@ def compliance() -> float:
     return force**2 * axial + moment**2 * bending
 
 
-def bar(cells: int, degree: int, rule: str | int, law: Law) -> Model:
+def bar(cells: int, degree: int, rule: str | int, law: Law) -> InterfaceModel:
     """Two blocks with `cells` elements in depth and in height."""
     across = np.linspace(-0.5 * DEPTH, 0.5 * DEPTH, cells + 1), np.array([0.0, WIDTH])
     body = grids([(*across, np.linspace(z, z + HEIGHT, cells + 1)) for z in (0.0, HEIGHT)])
@@ -56,14 +56,14 @@ def bar(cells: int, degree: int, rule: str | int, law: Law) -> Model:
 def stiffness(cells: int, degree: int, rule: str | int) -> float:
     """Load over its own displacement, elastic."""
     beam = bar(cells, degree, rule, ELASTIC)
-    path = Path(beam)
+    path = EquilibriumPath(beam)
     path.go(1.0)
     return 1.0 / float(beam.load @ path.displacements())
 
 
 def peak(cells: int, degree: int, rule: str | int) -> float:
     """The largest load factor of the softening joint."""
-    path, factors = Path(bar(cells, degree, rule, SOFTENING)), [0.0]
+    path, factors = EquilibriumPath(bar(cells, degree, rule, SOFTENING)), [0.0]
     path.go(0.3 * STRENGTH / (1.0 + 3.0))
     while len(factors) < 200 and factors[-1] > 0.98 * max(factors[1:], default=0.0) - NEAR:
         path.open_by(OPENING)

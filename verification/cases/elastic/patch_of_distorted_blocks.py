@@ -31,7 +31,7 @@ from verification.fixtures.scene_text import assembled, made_of_tets
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import model
-from verification.references.interface.newton import Path
+from verification.references.interface.newton import EquilibriumPath
 
 Array = np.ndarray
 YOUNG, POISSON, KN, KS = 5e9, 0.2, 2e11, 8e10
@@ -143,7 +143,7 @@ def implicit(mesh: TetMesh, degree: int, rule: str | int) -> float:
     assembled.hold("xyz", lambda x, b: np.any((x < NEAR) | (x > SIZE - NEAR), axis=1))
     truth = exact(assembled.place, assembled.block)[np.arange(len(assembled.axis)), assembled.axis]
     assembled.driven = np.where(assembled.held, truth, 0.0)
-    path = Path(assembled)
+    path = EquilibriumPath(assembled)
     path.go(1.0)
     return float(np.abs(path.displacements() - truth).max())
 

@@ -25,7 +25,7 @@ from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import model
-from verification.references.interface.newton import Path
+from verification.references.interface.newton import EquilibriumPath
 from verification.scene_runs import assembled
 
 Array = np.ndarray
@@ -52,7 +52,7 @@ def implicit(findings: Findings, law: str, length: float) -> None:
     bar.hold("xy", lambda x, block: x[:, 2] > length - NEAR)
     bar.drive("z", lambda x, block: x[:, 2] > length - NEAR)
     points = bar.joints[0]
-    path, rows = Path(bar, points.jump.T @ (points.weight[:, None] * points.normal).ravel() / SIDE**2), []
+    path, rows = EquilibriumPath(bar, points.jump.T @ (points.weight[:, None] * points.normal).ravel() / SIDE**2), []
     for s in OPENINGS:
         path.go(float(s))
         rows.append((path.state.factor, path.drive_force() / SIDE**2))

@@ -17,7 +17,7 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.references.interface.model import Model
+from verification.references.interface.model import InterfaceModel
 from verification.scene_runs import assembled
 
 SCENE = "couplet-of-tets"
@@ -25,7 +25,7 @@ PLACES = [*np.linspace(0, 20e-6, 6)[1:], *np.linspace(20e-6, 40e-6, 11)[1:], *np
 HEIGHT, NEAR = 0.1, 1e-9
 
 
-def conditions(model: Model) -> None:
+def conditions(model: InterfaceModel) -> None:
     """The base is held; the upper block moves along x, under a dead pressure."""
     model.hold("xyz", lambda x, block: x[:, 2] < NEAR)
     model.hold("y", lambda x, block: block == 1)

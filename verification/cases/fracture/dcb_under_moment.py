@@ -33,8 +33,8 @@ from verification.case import Case, Findings, Line
 from verification.checks.other_conditions import turned
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
-from verification.references.interface.model import Model, model
-from verification.references.interface.newton import Path
+from verification.references.interface.model import InterfaceModel, model
+from verification.references.interface.newton import EquilibriumPath
 from verification.scene_runs import assembled
 
 Array = np.ndarray
@@ -59,7 +59,7 @@ def lines(layers: int, degree: int = 1) -> tuple[Array, Array, Array]:
     return np.linspace(0.0, LENGTH, cells + 1), np.array([0.0, WIDTH]), np.linspace(0.0, HEIGHT, layers + 1)
 
 
-def arm(layers: int, degree: int) -> Model:
+def arm(layers: int, degree: int) -> InterfaceModel:
     """The interface model, loaded by a linear traction of the moment 1 N m at x = 0."""
     x, y, z = lines(layers, degree)
     body = grids([(x[x > CRACK - NEAR], y, np.array([-0.003, 0.0])), (x, y, z)])
@@ -78,7 +78,7 @@ def arm(layers: int, degree: int) -> Model:
 def implicit(layers: int, degree: int) -> Curve:
     """Turn of the end (rad) and moment (N m) of the interface model, as far as the plateau goes."""
     beam = arm(layers, degree)
-    path, rotation, moment = Path(beam), [0.0], [0.0]
+    path, rotation, moment = EquilibriumPath(beam), [0.0], [0.0]
     path.go(0.1 * MOMENT)
     while rotation[-1] < 1.02 * PLATEAU[1] and len(rotation) < 200:
         path.open_by(OPENING)

@@ -22,7 +22,7 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.references.interface.model import Model
+from verification.references.interface.model import InterfaceModel
 from verification.scene_runs import assembled
 
 SCENE = "eccentric-tension"
@@ -30,7 +30,7 @@ PLACES = [*np.linspace(0, 8e-6, 9)[1:], *np.linspace(8e-6, 60e-6, 27)[1:]]
 LENGTH, HIGH, NEAR = 0.1, 0.05, 1e-9
 
 
-def conditions(model: Model) -> None:
+def conditions(model: InterfaceModel) -> None:
     """The base is held, a side of the upper block is moved up."""
     model.hold("xyz", lambda x, block: x[:, 2] < NEAR)
     model.drive("z", lambda x, block: (block == 1) & (x[:, 0] > LENGTH - NEAR))

@@ -18,7 +18,7 @@ import numpy as np
 
 from verification.case import Case, Findings
 from verification.checks.beside_pair import Allowed, compare
-from verification.references.interface.model import Model
+from verification.references.interface.model import InterfaceModel
 from verification.scene_runs import assembled
 
 SCENE = "two-courses-of-tets"
@@ -26,7 +26,7 @@ PLACES = [*np.linspace(0, 5e-6, 11)[1:], *np.linspace(5e-6, 105e-6, 34)[1:]]
 LENGTH, HEIGHT, NEAR = 0.36, 0.2, 1e-9
 
 
-def conditions(model: Model) -> None:
+def conditions(model: InterfaceModel) -> None:
     """One end held, the other moved; rollers below, a dead pressure above."""
     model.hold("xy", lambda x, block: x[:, 0] < NEAR)
     model.hold("z", lambda x, block: x[:, 2] < NEAR)

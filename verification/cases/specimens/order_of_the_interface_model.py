@@ -22,8 +22,8 @@ from skfem import Basis, Functional, asm
 from verification.case import Case, Findings, Line
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
-from verification.references.interface.model import Model, model
-from verification.references.interface.newton import Path
+from verification.references.interface.model import InterfaceModel, model
+from verification.references.interface.newton import EquilibriumPath
 
 Array = np.ndarray
 YOUNG, KN = 10e9, 1e11
@@ -53,7 +53,7 @@ def strains(x: Array, z: Array) -> tuple[Array, Array, Array]:
     return xx / YOUNG, (24 * A * x * z**2 + B * x + C) / YOUNG, xz / YOUNG
 
 
-def blocks(cells: int, degree: int) -> Model:
+def blocks(cells: int, degree: int) -> InterfaceModel:
     """Two blocks, `cells` along x and along z of each; the outline moves as it must."""
     across = np.linspace(-HALF_WIDTH, HALF_WIDTH, cells + 1), np.array([0.0, THICKNESS])
     body = grids([(*across, np.linspace(z, z + HEIGHT, cells + 1)) for z in (-HEIGHT, 0.0)])
@@ -70,7 +70,7 @@ def blocks(cells: int, degree: int) -> Model:
 def error(cells: int, degree: int) -> Error:
     """Solve, and compare with the closed form."""
     assembled = blocks(cells, degree)
-    path = Path(assembled)
+    path = EquilibriumPath(assembled)
     path.go(1.0)
     u = path.displacements()
 

@@ -7,7 +7,7 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import SuperLU, splu
 
 from verification.references.interface.joints import all_jumps
-from verification.references.interface.model import Model
+from verification.references.interface.model import InterfaceModel
 
 Array = np.ndarray
 AT_ONCE = 64
@@ -21,7 +21,7 @@ class Condensed:
     stiffness (n, n) N/m   dead, push (n,) N   jump (3 m, n), jump_driven (3 m,): jumps are jump q + lambda jump_driven
     """
 
-    model: Model
+    model: InterfaceModel
     boundary: Array
     inner: Array
     stiffness: Array
@@ -51,7 +51,7 @@ class Condensed:
         return w, float(by_lambda), float(adjoint @ m.dead)
 
 
-def condense(model: Model) -> Condensed:
+def condense(model: InterfaceModel) -> Condensed:
     """Eliminate the free dofs that touch no joint (static condensation); every block needs something that holds it
     once its joints are held."""
     jumps = all_jumps(model.joints)

@@ -8,7 +8,7 @@ from scipy.sparse import coo_matrix, csr_matrix, vstack
 from skfem import CellBasis, FacetBasis
 
 from verification.references.interface.envelopes import Law
-from verification.references.interface.mesh import Solid, facet_pairs
+from verification.references.interface.mesh import TetSolid, facet_pairs
 
 Array = np.ndarray
 VERTICES = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), np.full(3, 1.0 / 6.0)
@@ -16,7 +16,7 @@ VERTICES = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]), np.full(3, 1.0 / 6.0)
 
 
 @dataclass(frozen=True)
-class Joint:
+class FacetJoint:
     """The points of all facets that follow one law.
 
     jump    (3 n, N) u_b - u_a at the points from the dofs, x, y, z of each point
@@ -31,7 +31,9 @@ class Joint:
     blocks: Array
 
 
-def joints(body: Solid, basis: CellBasis, law: Callable[[int, int], Law], rule: str | int = "vertex") -> list[Joint]:
+def joints(
+    body: TetSolid, basis: CellBasis, law: Callable[[int, int], Law], rule: str | int = "vertex"
+) -> list[FacetJoint]:
     """The joints of a solid, one for each law; rule: "vertex", or the degree that Gauss points integrate exactly."""
     facets_a, facets_b, blocks = facet_pairs(body)
     laws = [law(a, b) for a, b in blocks.tolist()]
@@ -43,15 +45,15 @@ def joints(body: Solid, basis: CellBasis, law: Callable[[int, int], Law], rule: 
 
 
 def _joint(
-    law: Law, body: Solid, basis: CellBasis, facets_a: Array, facets_b: Array, blocks: Array, rule: str | int
-) -> Joint:
+    law: Law, body: TetSolid, basis: CellBasis, facets_a: Array, facets_b: Array, blocks: Array, rule: str | int
+) -> FacetJoint:
     how = {"quadrature": VERTICES} if rule == "vertex" else {"intorder": rule}
     a, b = (FacetBasis(body.mesh, basis.elem, facets=facets, **how) for facets in (facets_a, facets_b))
     place = np.asarray(a.global_coordinates())
     gap = np.abs(place - np.asarray(b.global_coordinates())).max()
     if gap > 1e-7 * np.ptp(body.mesh.p):
         raise ValueError(f"quadrature points of the two sides of a joint are {gap:.2g} m apart")
-    joint = Joint(
+    joint = FacetJoint(
         law,
         (_values(b, basis.N) - _values(a, basis.N)).tocsr(),
         a.dx.ravel(),
@@ -62,13 +64,13 @@ def _joint(
     return joint if rule != "vertex" else _merged(joint, body.mesh.facets[:, facets_a].T.ravel())
 
 
-def _merged(joint: Joint, vertex: Array) -> Joint:
+def _merged(joint: FacetJoint, vertex: Array) -> FacetJoint:
     """One point where several facets of one plane have a corner: their jumps are one, and their areas add up."""
     key = np.column_stack([vertex, joint.blocks, np.round(joint.normal * 1e6)]).astype(np.int64)
     _, first, same = np.unique(key, axis=0, return_index=True, return_inverse=True)
     rows = (3 * first[:, None] + np.arange(3)).ravel()
     weight = np.bincount(same.ravel(), joint.weight)
-    return Joint(joint.law, joint.jump[rows], weight, joint.normal[first], joint.place[first], joint.blocks[first])
+    return FacetJoint(joint.law, joint.jump[rows], weight, joint.normal[first], joint.place[first], joint.blocks[first])
 
 
 def _values(facets: FacetBasis, count: int) -> csr_matrix:
@@ -87,6 +89,6 @@ def _values(facets: FacetBasis, count: int) -> csr_matrix:
     return matrix
 
 
-def all_jumps(joints: list[Joint]) -> csr_matrix:
+def all_jumps(joints: list[FacetJoint]) -> csr_matrix:
     """(3 m, N) the jumps of all joints, one below the other."""
     return vstack([joint.jump for joint in joints]).tocsr()

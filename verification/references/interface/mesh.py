@@ -14,7 +14,7 @@ SAME = 1e-8
 
 
 @dataclass(frozen=True)
-class Solid:
+class TetSolid:
     """Blocks made of tets; a point where blocks meet is there once for each of them.
 
     mesh    scikit-fem's     block  (T,) of each tet
@@ -28,7 +28,7 @@ class Solid:
     number: Array
 
 
-def solid(nodes: Array, tets: Array, block: Array) -> Solid:
+def solid(nodes: Array, tets: Array, block: Array) -> TetSolid:
     """From nodes (P, 3) m, each of one block only, tets (T, 4) and their blocks (T,).
 
     Vertices are numbered by place, then by block: scikit-fem sorts the corners of a facet by number, so the two facets
@@ -42,10 +42,10 @@ def solid(nodes: Array, tets: Array, block: Array) -> Solid:
     order = np.lexsort((owner, place))
     number = np.argsort(order)
     mesh = MeshTet(np.ascontiguousarray(nodes[order].T), np.ascontiguousarray(number[tets].T))
-    return Solid(mesh, np.asarray(block), place[order], number)
+    return TetSolid(mesh, np.asarray(block), place[order], number)
 
 
-def grids(axes: list[tuple[Array, Array, Array]]) -> Solid:
+def grids(axes: list[tuple[Array, Array, Array]]) -> TetSolid:
     """Boxes divided into bricks by planes at x, y and z (m), one tuple a block; each brick is six tets."""
     nodes, tets, block, start = [], [], [], 0
     for b, (x, y, z) in enumerate(axes):
@@ -57,7 +57,7 @@ def grids(axes: list[tuple[Array, Array, Array]]) -> Solid:
     return solid(np.concatenate(nodes), np.concatenate(tets), np.concatenate(block))
 
 
-def facet_pairs(body: Solid) -> tuple[Array, Array, Array]:
+def facet_pairs(body: TetSolid) -> tuple[Array, Array, Array]:
     """Facets (F,) of side a and of side b that lie on each other, and the blocks (F, 2) they belong to, a < b."""
     outer = body.mesh.boundary_facets()
     block = body.block[body.mesh.f2t[0, outer]]

@@ -9,8 +9,8 @@ from skfem import Basis, ElementTetP1, ElementTetP2, ElementVector, FacetBasis, 
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 from verification.references.interface.envelopes import Law
-from verification.references.interface.joints import Joint, joints
-from verification.references.interface.mesh import Solid
+from verification.references.interface.joints import FacetJoint, joints
+from verification.references.interface.mesh import TetSolid
 
 Array = np.ndarray
 Where = Callable[[Array, Array], Array]
@@ -18,16 +18,16 @@ Where = Callable[[Array, Array], Array]
 
 
 @dataclass
-class Model:
+class InterfaceModel:
     """K u + sum of joint forces = dead + lambda * load,  u = lambda * driven on the prescribed dofs.
 
     place (N, 3) m, block (N,), axis (N,): where each dof is, of which block, and along which axis
     """
 
-    body: Solid
+    body: TetSolid
     basis: Basis
     stiffness: csc_matrix
-    joints: list[Joint]
+    joints: list[FacetJoint]
     place: Array
     block: Array
     axis: Array
@@ -73,13 +73,13 @@ class Model:
 
 
 def model(
-    body: Solid,
+    body: TetSolid,
     young: float,
     poisson: float,
     law: Callable[[int, int], Law],
     degree: int = 1,
     rule: str | int | None = None,
-) -> Model:
+) -> InterfaceModel:
     """Degree 1 with joints at the vertices of facets (tier 1), or degree 2 with Gauss points (tier 2)."""
     element = ElementVector({1: ElementTetP1, 2: ElementTetP2}[degree]())
     basis = Basis(body.mesh, element)
@@ -92,7 +92,7 @@ def model(
     block[basis.element_dofs] = body.block
     stiffness = asm(linear_elasticity(*lame_parameters(young, poisson)), basis).tocsc()
     nothing = np.zeros(count)
-    return Model(
+    return InterfaceModel(
         body,
         basis,
         stiffness,

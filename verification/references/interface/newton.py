@@ -8,8 +8,8 @@ from scipy.sparse import csr_matrix
 from threadpoolctl import ThreadpoolController
 
 from verification.references.interface.condensed import condense
-from verification.references.interface.model import Model
-from verification.references.interface.points import History, tangent, traction, unharmed
+from verification.references.interface.model import InterfaceModel
+from verification.references.interface.points import PointHistory, tangent, traction, unharmed
 
 Array = np.ndarray
 ROUNDS, HALVINGS = 40, 9
@@ -30,16 +30,16 @@ class State:
     q: Array
     factor: float
     dead: float
-    histories: tuple[History, ...]
+    histories: tuple[PointHistory, ...]
 
 
-class Path:
+class EquilibriumPath:
     """Follows the equilibria of a model from rest; all that a step needs is condensed once.
 
     control  weights (N,) of the dofs whose sum is prescribed instead of lambda, or None: lambda itself
     """
 
-    def __init__(self, model: Model, control: Array | None = None) -> None:
+    def __init__(self, model: InterfaceModel, control: Array | None = None) -> None:
         self.model, self.system = model, condense(model)
         n = len(self.system.boundary)
         self.state = State(np.zeros(n), 0.0, 0.0, tuple(unharmed(j.law, len(j.weight)) for j in model.joints))
@@ -155,7 +155,7 @@ class Path:
         factors = lu_factor(row[:, None] * matrix * column, overwrite_a=True, check_finite=False)
         return column * lu_solve(factors, row * right, check_finite=False)
 
-    def _joints(self, q: Array, factor: float) -> tuple[Array, csr_matrix, tuple[History, ...]]:
+    def _joints(self, q: Array, factor: float) -> tuple[Array, csr_matrix, tuple[PointHistory, ...]]:
         """Force (3 m,) N at the points, its derivative by the jumps (block diagonal), and the histories after it."""
         jump = self.system.jump @ q + factor * self.system.jump_driven
         force, blocks, histories = np.zeros_like(jump), [], []

@@ -20,7 +20,7 @@ SETTLED = 1e-15
 
 
 @dataclass(frozen=True)
-class History:
+class PointHistory:
     """Of n points: largest opening (n,) m, shares left in tension and shear (n,), plastic slip (n, 3) m."""
 
     widest: Array
@@ -29,12 +29,12 @@ class History:
     slip: Array
 
 
-def unharmed(law: Law, count: int) -> History:
+def unharmed(law: Law, count: int) -> PointHistory:
     """The history of points to which nothing has happened."""
-    return History(np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)))
+    return PointHistory(np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)))
 
 
-def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Array, History]:
+def traction(law: Law, history: PointHistory, normal: Array, jump: Array) -> tuple[Array, PointHistory]:
     """Traction (..., n, 3) Pa of side b on side a at a jump u_b - u_a (..., n, 3) m, and the history after it."""
     e = np.einsum("...i,...i->...", jump, normal)
     s = jump - e[..., None] * normal
@@ -64,7 +64,7 @@ def traction(law: Law, history: History, normal: Array, jump: Array) -> tuple[Ar
     fraction = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
     tau = fraction[..., None] * trial
     slip = history.slip + (1.0 - fraction)[..., None] * trial / law.ks
-    return sigma[..., None] * normal + tau, History(widest, wn, ws, slip)
+    return sigma[..., None] * normal + tau, PointHistory(widest, wn, ws, slip)
 
 
 def normal_stress(law: Law, widest: Array, wn: Array, ws: Array, e: Array) -> Array:
@@ -80,7 +80,7 @@ def strengths(law: Law, widest: Array, wn: Array, sigma: Array, e: Array) -> tup
     return np.maximum(law.c0 - sigma * law.tan0, residual), residual
 
 
-def tangent(law: Law, history: History, normal: Array, jump: Array) -> Array:
+def tangent(law: Law, history: PointHistory, normal: Array, jump: Array) -> Array:
     """Derivative of the traction by the jump (n, 3, 3) Pa/m: exact if elastic, else by central differences."""
     if law.kind == "elastic":
         nn = normal[:, :, None] * normal[:, None, :]
