@@ -18,7 +18,7 @@ class SceneError(ValueError):
         return SceneError(f"{where}: {str(self).removeprefix(without)}")
 
 
-class Findings(SceneError):
+class Faults(SceneError):
     """Several things that are wrong, a line each."""
 
     def __init__(self, lines: Sequence[str]) -> None:
@@ -30,10 +30,10 @@ class Findings(SceneError):
 
     def within(self, where: str, without: str = "") -> SceneError:
         first, *others = (line.removeprefix(without) for line in self.lines)
-        return Findings([f"{where}: {first}", *others])
+        return Faults([f"{where}: {first}", *others])
 
     def __reduce__(self) -> tuple[type, tuple[list[str]]]:
-        return Findings, (self.lines,)
+        return Faults, (self.lines,)
 
 
 class Stopped(RuntimeError):

@@ -28,7 +28,7 @@ from geometry.structures.wall import wall
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from masonry.scene import Scene
-from masonry.scene.tables.cells import Cells
+from masonry.scene.tables.cells import CellsTable
 from masonry.scene.tables.specimens.structures import OpeningTable
 
 STRUCTURES: dict[str, Callable[..., Specimen]] = {
@@ -158,7 +158,7 @@ def _filling(table: Any) -> Sequence[int] | CellRequest:
     return divisions if table.cells is None else _cells(table.cells)
 
 
-def _cells(cells: Cells) -> CellRequest:
+def _cells(cells: CellsTable) -> CellRequest:
     """The cells that a table asks for."""
     plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
     sizes = {key: getattr(cells, key) for key in plain}

@@ -101,7 +101,7 @@ class Collapse(Observer):
         ]
 
 
-class Deformation(Observer):
+class LargestDeformation(Observer):
     """Keeps the least det F, and the longest stretch of any line, of all rows."""
 
     REMEMBERED = ("least", "longest")

@@ -29,7 +29,7 @@ FLAT = 0.35
 DOT, TO_COME = "#b2182b", "#c3ccd6"
 
 
-class Path(NamedTuple):
+class CurveLine(NamedTuple):
     """One line of the curve: a name, and its places at some steps, in the units of the axes."""
 
     name: str
@@ -100,7 +100,7 @@ class Movie:
 
     def _draw_curve(self, axes: Any) -> None:
         """The whole curve, pale, and what moves over it."""
-        self.moving: list[tuple[Path, Any, Any]] = []
+        self.moving: list[tuple[CurveLine, Any, Any]] = []
         rows = self.result.history.rows
         axes.grid(color="0.9", linewidth=0.8)
         axes.set_axisbelow(True)
@@ -122,14 +122,18 @@ class Movie:
             axes.set_ylim(*limits)
 
 
-def paths_of(result: "ResultData") -> tuple[list[Path], str, str]:
+def paths_of(result: "ResultData") -> tuple[list[CurveLine], str, str]:
     """The lines of the curve of a result, with the labels across and upwards: of the drive; without one, of all that
     curve.png shows moving."""
     rows = result.history.rows
     if result.has_drive:
         drawn = curve_axes(result)
-        line = Path("at the drive", rows["step"], drawn.across, rows["stress"] * drawn.factor)
+        line = CurveLine("at the drive", rows["step"], drawn.across, rows["stress"] * drawn.factor)
         return [line], drawn.label, f"{drawn.name} [{drawn.unit}]"
     over, label = across(result)
     moved = movements(result).items()
-    return [Path(name, steps, over(steps), MILLI * path) for name, (steps, path) in moved], label, "displacement [mm]"
+    return (
+        [CurveLine(name, steps, over(steps), MILLI * path) for name, (steps, path) in moved],
+        label,
+        "displacement [mm]",
+    )

@@ -8,7 +8,7 @@ import numpy as np
 from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import CrackLines
 from masonry.pictures.style import MILLI
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def draw_cracks(
     """Draw the lines where they stand in a frame whose displacements are drawn `times` larger."""
     from matplotlib.collections import LineCollection
 
-    field = Deformation(Corners(result.specimen.blocks), frame)
+    field = Deformation(BlockCorners(result.specimen.blocks), frame)
     pieces = camera.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
     colours = crack_colours(lines.damage, lines.tension_led, lines.dry)

@@ -16,7 +16,7 @@ from masonry.pictures.camera import iso_view
 from masonry.pictures.crack_style import crack_colours, widths
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 from masonry.rows.history import Frame
 
@@ -48,7 +48,7 @@ class SolidDrawing:
         blocks, joints = result.specimen.blocks, result.joints
         self.result, self.camera = result, iso_view(blocks.points)
         size = self.camera.size
-        self.shape = Corners(blocks)
+        self.shape = BlockCorners(blocks)
         self.pieces = visible_pieces(blocks, joints, self.camera)
         self.piece_block = blocks.face_block()[[piece.face for piece in self.pieces]]
         self.start, self.tile = tiles(joints)

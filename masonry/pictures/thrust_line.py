@@ -11,7 +11,7 @@ import numpy as np
 from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import EDGE_ON
 from masonry.pictures.large.nearness import reach
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.joint_resultants import UnitJoints, unit_joints
 from masonry.rows.history import Frame
 
@@ -53,7 +53,7 @@ class ThrustLine:
         """(J, 3) m: the places midway between the two sides of their joints, displacements `times` larger; not a
         number where the joint does not press or has parted."""
         _, place = self.forces(result, frame)
-        field = Deformation(Corners(result.specimen.blocks), frame)
+        field = Deformation(BlockCorners(result.specimen.blocks), frame)
         shown = np.flatnonzero(np.isfinite(place[:, 0]))
         nearest = np.array([self._nearest(result, int(k), place[k]) for k in shown], dtype=np.int64)
         first, second = field.sides(result.joints, nearest, place[shown])

@@ -7,7 +7,7 @@ from geometry.polyhedra.measures import sum_by_block
 from masonry.rows.history import Frame
 
 
-class Corners:
+class BlockCorners:
     """What the fits of all frames share: the corners of each block, their mean, and the inverse of their spread."""
 
     def __init__(self, blocks: Blocks) -> None:
@@ -30,7 +30,7 @@ class Deformation:
     gradient  (B, 3, 3) of the displacement of each block
     """
 
-    def __init__(self, corners: Corners, frame: Frame) -> None:
+    def __init__(self, corners: BlockCorners, frame: Frame) -> None:
         moved = frame.corners[corners.corner]
         self._centre = corners.centre
         self._shift = corners.sum(moved) / corners.number

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.results.vtkhdf import TO_VTK, VTK_POLYGON, VTK_TETRA, Cells, Data, write
+from masonry.results.vtkhdf import TO_VTK, VTK_POLYGON, VTK_TETRA, Data, VtkCells, write
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class BlockGrid:
         face_points = np.searchsorted(self.corners, blocks.face_points[shown])
         sizes = np.concatenate([sides[bare], np.full(len(tets), 4)])
         self.block = np.concatenate([face_block[bare], np.repeat(np.arange(blocks.count), tets_of)]).astype(np.int32)
-        self.cells = Cells(
+        self.cells = VtkCells(
             points=np.concatenate([blocks.points[self.corners], nodes]),
             connectivity=np.concatenate([face_points, tets.ravel() + len(self.corners)]),
             offsets=np.concatenate([[0], np.cumsum(sizes)]),

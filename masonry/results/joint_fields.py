@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from geometry.joints.tributary_areas import tiles
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE
-from masonry.results.vtkhdf import VTK_POLYGON, Cells, Data, write
+from masonry.results.vtkhdf import VTK_POLYGON, Data, VtkCells, write
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -26,10 +26,10 @@ class JointGrid:
 
     def __init__(self, result: "ResultData") -> None:
         self.joints = joints = result.joints
-        self.shape = Corners(result.specimen.blocks)
+        self.shape = BlockCorners(result.specimen.blocks)
         start, points = tiles(joints)
         self.owner = np.repeat(np.arange(len(joints.area)), np.diff(start))
-        self.cells = Cells(
+        self.cells = VtkCells(
             points=points,
             connectivity=np.arange(len(points)),
             offsets=start,

@@ -25,7 +25,7 @@ Data = dict[str, np.ndarray]
 
 
 @dataclass(frozen=True)
-class Cells:
+class VtkCells:
     """points (n, 3) m; cell c has the points connectivity[offsets[c]:offsets[c + 1]] and is of types[c].
 
     still  data of the cells that is the same at every frame
@@ -44,7 +44,7 @@ class Cells:
 
 def write(
     path: Path,
-    cells: Cells,
+    cells: VtkCells,
     frames: Sequence[Frame],
     point_data: Callable[[Frame], Data],
     cell_data: Callable[[Frame], Data],

@@ -6,7 +6,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from masonry.errors import Findings, SceneError, closest
+from masonry.errors import Faults, SceneError, closest
 from masonry.quantity import KINDS, written
 from masonry.scene.lines import split_key
 from masonry.scene.schema import SceneData
@@ -51,7 +51,7 @@ def explain(error: ValidationError, source: Source) -> SceneError:
     lines = [_line(messages, source) for messages in findings[:MOST]]
     more = [f"... and {len(findings) - MOST} more"] if len(findings) > MOST else []
     messages = lines + more
-    return Findings(messages) if len(messages) > 1 else SceneError(*messages)
+    return Faults(messages) if len(messages) > 1 else SceneError(*messages)
 
 
 def _without_echoes(findings: list[ErrorDetails]) -> list[ErrorDetails]:

@@ -8,8 +8,8 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, model_va
 from masonry.errors import did_you_mean, nearest
 from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
-from masonry.scene.tables.contact import Contact, Material
-from masonry.scene.tables.gauge import Curve, Gauge
+from masonry.scene.tables.contact import Contact, MaterialTable
+from masonry.scene.tables.gauge import Curve, GaugeTable
 from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.limit import LimitLoad
 from masonry.scene.tables.loading import Drive, Fill, Settle, Solver, Support, Traction
@@ -40,7 +40,7 @@ class SceneData(Table):
     )
     confinement: Strength | None = None
     specimen: Specimen
-    material: Annotated[dict[str, Material], Field(min_length=1), AfterValidator(ReadOnly)]
+    material: Annotated[dict[str, MaterialTable], Field(min_length=1), AfterValidator(ReadOnly)]
     contact: Annotated[dict[str, AnyContact], Field(min_length=1), AfterValidator(ReadOnly)]
     scatter: Scatter | None = None
     support: tuple[Support, ...] = ()
@@ -52,7 +52,7 @@ class SceneData(Table):
     floor: Floor | None = None
     settle: Settle | None = None
     solver: Solver = Solver()
-    gauge: tuple[Gauge, ...] = ()
+    gauge: tuple[GaugeTable, ...] = ()
     curve: Curve | None = None
     limit: LimitLoad | None = None
     assumptions: Annotated[dict[str, str], AfterValidator(ReadOnly)] = ReadOnly()

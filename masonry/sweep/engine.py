@@ -13,7 +13,7 @@ from masonry.runtime.progress import ProgressLines, Tell
 from masonry.sweep.folder import DOING
 from masonry.sweep.job import Job, names
 from masonry.sweep.store import Row, Store
-from masonry.sweep.work import ERROR, Ended, compute
+from masonry.sweep.work import ERROR, RunEnd, compute
 
 WORKERS = 2
 
@@ -60,7 +60,7 @@ def run_alone(
     return [dict(rows[job.key()]) for job in jobs]
 
 
-def _ends(scenes: list[str], workers: int, scheduler: str | None) -> Generator[tuple[int, Ended]]:
+def _ends(scenes: list[str], workers: int, scheduler: str | None) -> Generator[tuple[int, RunEnd]]:
     """Number of each scene and what became of its run, as they end."""
     if not scenes:
         return
@@ -74,4 +74,4 @@ def _ends(scenes: list[str], workers: int, scheduler: str | None) -> Generator[t
 
         ends = work_on(scheduler, compute, scenes)
     for number, end in ends:
-        yield number, Ended(ERROR, end.reason, end.seconds) if isinstance(end, Lost) else end
+        yield number, RunEnd(ERROR, end.reason, end.seconds) if isinstance(end, Lost) else end

@@ -10,7 +10,7 @@ from geometry.files.atomic import WholeFiles, unfinished
 from masonry.errors import SceneError
 from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.text_files import json_of
-from masonry.sweep.work import OK, STATUSES, Ended
+from masonry.sweep.work import OK, STATUSES, RunEnd
 
 Row = dict[str, Any]
 
@@ -49,7 +49,7 @@ class Store:
         }
         return own | {name: value for name, value in flat(numbers or {}).items() if name not in own}
 
-    def keep(self, key: str, ended: Ended) -> Row:
+    def keep(self, key: str, ended: RunEnd) -> Row:
         """Write what a run left; returns its row. Raises SceneError where it cannot be written."""
         whole, place = self.runs / unfinished(key), self.runs / key
         with writing(place, more="; what is done stays"):

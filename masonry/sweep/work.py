@@ -15,7 +15,7 @@ STATUSES = (OK, REFUSED, STOPPED, ERROR)
 
 
 @dataclass(frozen=True)
-class Ended:
+class RunEnd:
     """What became of a run.
 
     status   OK; REFUSED before it began; STOPPED when its numbers could no longer be trusted; ERROR
@@ -29,12 +29,12 @@ class Ended:
     files: dict[str, bytes] = field(default_factory=dict)
 
 
-def compute(toml: str) -> Ended:
+def compute(toml: str) -> RunEnd:
     """Run a resolved scene; raises nothing but KeyboardInterrupt. It may be far from the scene's file."""
     begun = time.perf_counter()
 
-    def ended(status: str, error: BaseException | str, files: dict[str, bytes] | None = None) -> Ended:
-        return Ended(status, str(error), time.perf_counter() - begun, files or {})
+    def ended(status: str, error: BaseException | str, files: dict[str, bytes] | None = None) -> RunEnd:
+        return RunEnd(status, str(error), time.perf_counter() - begun, files or {})
 
     try:
         result = _run(toml)

@@ -3,7 +3,7 @@
 from masonry.configuration.configuration import configuration_of
 from masonry.model.large.stable_step import STRETCH
 from masonry.model.model import Model
-from masonry.monitors.collapse import Collapse, Deformation
+from masonry.monitors.collapse import Collapse, LargestDeformation
 from masonry.monitors.collisions.collision import Collision
 from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer
@@ -30,7 +30,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
 def large_looks(model: Model) -> dict[str, Observer]:
     """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
     slide = {"slide": Slide(model, rollers=False)} if model.swept else {}
-    deforms = {"deformation": Deformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
+    deforms = {"deformation": LargestDeformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
     return {**slide, "collapse": Collapse(model), **deforms}
 
 

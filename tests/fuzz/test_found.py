@@ -15,7 +15,7 @@ import pytest
 from geometry.blocks import GeometryError
 from geometry.files.blocks_h5 import load_blocks, save_blocks
 from masonry.cli.main import main
-from masonry.errors import Findings, SceneError, visible
+from masonry.errors import Faults, SceneError, visible
 from masonry.laboratory.result import load_result
 from masonry.runtime.text_files import json_of
 from masonry.sweep.read import read
@@ -50,7 +50,7 @@ def test_a_name_with_codes_of_a_terminal_is_shown_as_codes(tmp_path, capsys):
 def test_findings_stay_findings_when_they_are_met_elsewhere():
     import pickle
 
-    findings = Findings(["a", "b\nc"]).within("x")
+    findings = Faults(["a", "b\nc"]).within("x")
     assert findings.lines == ["x: a", "b\\nc"]
     assert pickle.loads(pickle.dumps(findings)).lines == findings.lines
 

@@ -14,7 +14,7 @@ from masonry.pictures.crack_picture import cracks_figure, frames_to_draw, magnif
 from masonry.pictures.crack_style import THICK, THIN, crack_keys, kinds_of, scale_of, widths
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.oblique import SolidDrawing
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import as_it_stands
 from masonry.results.summary import Summary
 from tests.results.sample import HEIGHT, LENGTH, joints_of, opened, sample, wall, with_tets
@@ -129,7 +129,7 @@ def test_crack_lines_cover_each_joint_once_and_lie_midway_between_its_sides():
     length = np.bincount(joints.patch[lines.contact], np.linalg.norm(lines.end - lines.start, axis=1))
     np.testing.assert_allclose(length * 0.05, np.bincount(joints.patch, joints.area), rtol=1e-9)
     broken = lines.select(lines.tension_led & (lines.damage > 0.5))
-    ends = broken.displaced(joints, Deformation(Corners(blocks), frame), 10.0)
+    ends = broken.displaced(joints, Deformation(BlockCorners(blocks), frame), 10.0)
     places = np.unique(np.round(ends[:, :, 0], 9))
     np.testing.assert_allclose(places, [LENGTH + 0.005, 1.5 * LENGTH + 0.005])
     assert ends[:, :, 2].max() == pytest.approx(4 * HEIGHT)

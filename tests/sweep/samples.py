@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.sweep.job import Job
-from masonry.sweep.work import Ended, compute
+from masonry.sweep.work import RunEnd, compute
 
 SHORT: dict[str, Any] = {"settle.steps": 100, "drive.steps": 600, "solver.rows": 20}
 SECONDS = ("seconds", "seconds_run", "seconds_compile")
@@ -32,12 +32,12 @@ def marks(folder: Path) -> dict[str, tuple[int, int]]:
     return {key: (stat.st_ino, stat.st_mtime_ns) for key, stat in files.items()}
 
 
-def dying(toml: str) -> Ended:
+def dying(toml: str) -> RunEnd:
     """A run whose process dies at one of the confinements."""
     if 'confinement = "200000.0 Pa"' in toml:
         os._exit(7)
     return compute(toml)
 
 
-def mistaken(toml: str) -> Ended:
+def mistaken(toml: str) -> RunEnd:
     raise AssertionError("this run was done already")

@@ -20,7 +20,7 @@ from masonry.pictures.large.edges import Continued, continued
 from masonry.pictures.large.nearness import reach
 from masonry.pictures.oblique import JointCracks, crack_edges, faces_beside, joint_cracks, last_piece
 from masonry.pictures.thrust_line import ThrustLine, thrust_line
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class MovedDrawing:
         self.result = result
         self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
         self.thrust: ThrustLine | None = thrust_line(result, self.camera) if view != "iso" else None
-        self.shape, self.edges, self.reach = Corners(blocks), continued(blocks), reach(result)
+        self.shape, self.edges, self.reach = BlockCorners(blocks), continued(blocks), reach(result)
         self.covered = covered_fractions(blocks, joints) >= COVERED
         self.faces = patch_faces(blocks, joints)[joints.patch]
         self.start, self.tile = tiles(joints)

@@ -9,7 +9,7 @@ from masonry.scene.tables.types import CellCount, KeyedError, Length, Number, Po
 AMOUNTS = ("total", "per_unit", "size")
 
 
-class Cells(Table):
+class CellsTable(Table):
     """Cells in place of a regular grid; exactly one of total, per_unit and size says how many.
 
     form  "plane": of the plane x-z, each as deep as the unit; "space": in all three dimensions
@@ -27,7 +27,7 @@ class Cells(Table):
     regularise: StrictBool = True
 
     @model_validator(mode="after")
-    def _fits_together(self) -> "Cells":
+    def _fits_together(self) -> "CellsTable":
         amounts = [name for name in AMOUNTS if getattr(self, name) is not None]
         if len(amounts) != 1:
             raise KeyedError(

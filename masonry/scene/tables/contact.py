@@ -35,7 +35,7 @@ from masonry.scene.tables.types import (
 )
 
 
-class Material(Table):
+class MaterialTable(Table):
     """A group of blocks: kg/m3, Pa, 1. The elastic constants are needed for affine and tets only."""
 
     density: Density

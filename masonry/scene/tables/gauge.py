@@ -52,7 +52,7 @@ def _write(value: str | Coordinates) -> Any:
 Where = Annotated[str | Coordinates, PlainValidator(_read), PlainSerializer(_write)]
 
 
-class Gauge(Table):
+class GaugeTable(Table):
     """The displacement of a place in one direction, less that of another place: a column of the results."""
 
     name: Annotated[str, AfterValidator(_named)]

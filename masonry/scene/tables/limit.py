@@ -30,7 +30,7 @@ EXAMPLES = {
 }
 
 
-class Forces(NamedTuple):
+class ForceTable(NamedTuple):
     """N, by direction; what a file leaves out is 0."""
 
     x: Force = 0.0
@@ -39,18 +39,18 @@ class Forces(NamedTuple):
 
 
 def _directions(value: Any) -> Any:
-    if isinstance(value, Forces):
+    if isinstance(value, ForceTable):
         return value
     if not isinstance(value, dict) or not value:
         raise ValueError("must be a table by direction, with one or more of x, y, z")
     return value
 
 
-def _written(value: Forces) -> dict[str, str]:
+def _written(value: ForceTable) -> dict[str, str]:
     return {axis: f"{x!r} N" for axis, x in value._asdict().items() if x != 0.0}
 
 
-ForceVector = Annotated[Forces, BeforeValidator(_directions), PlainSerializer(_written)]
+ForceVector = Annotated[ForceTable, BeforeValidator(_directions), PlainSerializer(_written)]
 
 
 class LimitLoad(Table):

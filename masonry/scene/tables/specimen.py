@@ -6,7 +6,7 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import AfterValidator, Field, model_validator
 
-from masonry.scene.tables.cells import Cells, exclude
+from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, MultiLeafSpec, VaultSpec, WallSpec
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
@@ -59,7 +59,7 @@ class WalletteSpec(_Wall):
 
     kind: Literal["wallette"]
     divisions: tuple[Count, Count] = (1, 1)
-    cells: Cells | None = None
+    cells: CellsTable | None = None
     plates: Length | None = None
     base: Length | None = None
     beam: Length | None = None

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.fields import BlockGrid
 from masonry.results.joint_fields import JointGrid, mode_of
 from masonry.results.table import column_names, csv_text
@@ -26,7 +26,7 @@ def strained():
 
 def test_points_of_a_block_move_by_its_shift_and_gradient_and_those_of_others_stay():
     blocks, joints, frame = strained()
-    field = Deformation(Corners(blocks), frame)
+    field = Deformation(BlockCorners(blocks), frame)
     assert field.gradient[1] == pytest.approx(GRADIENT, abs=1e-12)
     assert field.gradient[0] == pytest.approx(np.zeros((3, 3)), abs=1e-15)
     places = np.array([[0.1, 0.02, 0.15], [0.3, 0.2, 0.1]])
@@ -43,7 +43,7 @@ def test_points_of_a_block_move_by_its_shift_and_gradient_and_those_of_others_st
 def test_a_point_on_a_node_or_between_three_moves_with_them():
     blocks, _, frame = strained()
     nodes = np.array([[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 4.0], [8.0, 8.0, 8.0]])
-    field = Deformation(Corners(blocks), replace(frame, nodes=nodes))
+    field = Deformation(BlockCorners(blocks), replace(frame, nodes=nodes))
     block, point = np.array([0, 0, 1]), np.zeros((3, 3))
     corner, share = np.array([[-1] * 3, [0, 1, 2], [-1] * 3]), np.array([[0.0] * 3, [0.5, 0.25, 0.25], [0.0] * 3])
     found = field.at(block, point, np.array([3, -1, -1]), corner, share)

@@ -14,7 +14,7 @@ from masonry.laboratory.remarks.hinges import Hinges, free_hinges, hinges_of, mo
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.joint_faces import MOST, Faces, Look, corners_of, law_of
 from masonry.laboratory.remarks.joint_sections import Section, envelope, plane, spread, strength
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 
 FEELS = 1e-3
 """Of the tensile strength, or of the pressure: a joint turns if the stress at its edge would change by more."""
@@ -31,7 +31,7 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     hinges = hinges_of(assembly, inspection.faces)
     if not len(hinges.face):
         return []
-    shape, peak = Corners(assembly.specimen.blocks), inspection.peak
+    shape, peak = BlockCorners(assembly.specimen.blocks), inspection.peak
     near = range(peak, min(peak + 2, len(frames)))
     lacks = [_lacks(inspection, hinges, number, Deformation(shape, frames[number])) for number in near]
     share, limit = max(lacks), inspection.accuracy

@@ -10,7 +10,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.results.deformation import Corners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 
 TURNED, MATTERS = 0.01, 0.1
@@ -50,7 +50,7 @@ def turns_and_slides(assembly: Assembly, frames: list[Frame]) -> tuple[float, fl
     lever = np.bincount(face, joints.area * np.linalg.norm(joints.point - middle[face], axis=1), count) / area
     a, b, n = joints.block_a[first], joints.block_b[first], joints.normal[first]
     dry, no_node = ~assembly.model.alive[first], np.full(count, -1)
-    shape = Corners(assembly.specimen.blocks)
+    shape = BlockCorners(assembly.specimen.blocks)
     turn, before = np.zeros(count), None
     turned = slid = 0.0
     for frame in frames:

@@ -4,12 +4,12 @@ from typing import Any, Literal
 
 from pydantic import model_validator
 
-from masonry.scene.tables.cells import Cells, exclude
+from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
 from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SignedAngle, Table
 
 
-class Turned(Table):
+class TurnTable(Table):
     """The whole specimen turned by an angle (rad, right-hand rule) about an axis through a point (m)."""
 
     about: Literal["x", "y", "z"]
@@ -29,7 +29,7 @@ class SpecimenTable(Table):
     patch_points: Literal["corners", "spread"] | None = None
     mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
-    turned: Turned | None = None
+    turned: TurnTable | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -50,7 +50,7 @@ class Divided(Table):
     """A grid of blocks (nx, ny, nz), or cells."""
 
     divisions: tuple[Count, Count, Count] = (1, 1, 1)
-    cells: Cells | None = None
+    cells: CellsTable | None = None
 
     @property
     def is_divided(self) -> bool:

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, StrictBool, model_validator
 
-from masonry.scene.tables.cells import Cells
+from masonry.scene.tables.cells import CellsTable
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 from masonry.scene.tables.types import (
     Angle,
@@ -126,7 +126,7 @@ class ColumnSpec(Structure):
         return self.drums + 1, 0.8 * self.diameter**2 * self.height, self.diameter
 
 
-class CoreCells(Cells):
+class CoreCells(CellsTable):
     """Cells of the core of a wall, in space."""
 
     form: Literal["space"] = "space"
