@@ -53,7 +53,7 @@ def growing(scene: Scene) -> Growing:
 
 
 def controlled(scene: Scene) -> Controlled:
-    """Dead loads rise over the first half of the settling; then the drive makes its way to an accuracy."""
+    """Dead loads rise over the first half of the settling; then the drive goes along its path, to an accuracy."""
     drive, settle = scene.drive, _settle(scene)
     assert drive is not None and drive.accuracy is not None
     reversals = () if drive.history is None else tuple(drive.sign * place for place in drive.reversals)
@@ -145,7 +145,7 @@ def _settle(scene: Scene) -> int:
 
 
 def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program:
-    """All histories over the same steps: each load's time runs while the drive makes its whole way."""
+    """All histories over the same steps: each load's time runs while the drive goes along its whole path."""
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)

@@ -23,28 +23,27 @@ ROWS = 50
 Progress = Callable[[int, int, str], None]
 
 
-def settled(assembly: Assembly, threads: int, progress: Progress | None, asked: Callable[[], bool]) -> Assembly:
+def settled(assembly: Assembly, threads: int, progress: Progress | None, is_to_end: Callable[[], bool]) -> Assembly:
     """The assembly of the scene with the number of steps that its dead loads need; its model is as before.
 
     They are tried alone in 2000, 4000, ... steps, of a step that is compiled. Raises Stopped where they do not come to
-    rest, or move the specimen out of bounds in two trials on end; KeyboardInterrupt as soon as `asked` says that the
-    run is to end.
+    rest, or move the specimen out of bounds in two trials on end; KeyboardInterrupt as soon as `is_to_end` says so.
     """
-    model, steps, failed_before = assembly.model, FEWEST, ""
+    model, steps, failure_before = assembly.model, FEWEST, ""
     fresh = model_state.state(model)
     model.damping = assembly.plan.settling_damping(model.damping)
     while True:
-        found, left = _trial(assembly, steps, threads, progress, asked)
+        failure, left = _trial(assembly, steps, threads, progress, is_to_end)
         model_state.restore(model, fresh)
-        if not found and left.all_rest:
+        if not failure and left.all_rest:
             scene = with_settle(assembly.scene, steps)
             return replace(assembly, scene=scene, plan=plan_of(scene, model.dt))
-        if found and failed_before:
-            raise Stopped(f"the dead loads move the specimen away: {found}; {ADVICE}")
+        if failure and failure_before:
+            raise Stopped(f"the dead loads move the specimen away: {failure}; {ADVICE}")
         if steps >= LONGEST:
-            why = found or left.text
+            why = failure or left.text
             raise Stopped(f"the dead loads have not come to rest in {steps} steps: {why}; {ADVICE}")
-        steps, failed_before = 2 * steps, found
+        steps, failure_before = 2 * steps, failure
 
 
 ADVICE = (
@@ -94,7 +93,7 @@ def with_settle(scene: Scene, steps: int) -> Scene:
 
 
 def _trial(
-    assembly: Assembly, steps: int, threads: int, progress: Progress | None, asked: Callable[[], bool]
+    assembly: Assembly, steps: int, threads: int, progress: Progress | None, is_to_end: Callable[[], bool]
 ) -> tuple[str, Left]:
     """The dead loads alone, in so many steps. Returns why they had to be ended, nothing where they came to their end;
     and what is left of the motion."""
@@ -103,7 +102,7 @@ def _trial(
     loop = Loop(model, loading, steps, recording, threads, Outcome(History()))
 
     def look(now: int, whole: int, words: str) -> None:
-        if asked():
+        if is_to_end():
             raise KeyboardInterrupt
         if progress is not None:
             progress(0, 0, f"settling, trial of {steps} steps: {words}")

@@ -99,8 +99,8 @@ def add_load(layout: Layout, total: dict, more: dict) -> None:
 
 def drive_dofs(mask: dict[str, np.ndarray], axis: int) -> dict[str, np.ndarray | None]:
     """Flat indices, per kind, of the dofs of a mask that move along an axis; None where there are none."""
-    found: dict[str, np.ndarray | None] = {}
-    for kind, held in mask.items():
-        rows = np.flatnonzero(held[:, axis])
-        found[kind] = rows * DOFS[kind] + axis if len(rows) else None
-    return found
+    indices: dict[str, np.ndarray | None] = {}
+    for kind, driven in mask.items():
+        rows = np.flatnonzero(driven[:, axis])
+        indices[kind] = rows * DOFS[kind] + axis if len(rows) else None
+    return indices

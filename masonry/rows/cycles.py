@@ -53,11 +53,11 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
     place = rows["displacement" if gauge is None else FACTOR]
     if only_rises(place) or only_rises(-place):
         return []
-    ends, at, found = bounds(place), _touching(place), []
+    ends, at, cycles = bounds(place), _touching(place), []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
         dissipated = {key: _between(rows[key], begin, end) for key in DISSIPATED}
-        found.append(
+        cycles.append(
             {
                 "closed": bool(abs(_at(at, end) - _at(at, begin)) <= TOUCH * float(np.abs(at).max())),
                 "dissipated_j": sum(dissipated.values()),
@@ -72,7 +72,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
                 "opening_left_m": _at(widest, end),
             }
         )
-    return found
+    return cycles
 
 
 def _of_drive(place: np.ndarray, stress: np.ndarray) -> dict[str, float | None]:

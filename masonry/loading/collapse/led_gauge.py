@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.moves.moved import Arrays, kept_dofs
+from masonry.loading.moves.moved import Arrays, copied_dofs
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
@@ -40,7 +40,7 @@ class LedGauge(Remembering):
 
     def begin(self, rested: Arrays) -> None:
         """Where it stood at a rest (configuration/model_state.py), and where it is led from there."""
-        self.start = self.gauge.reading(kept_dofs(self.model, rested), rested.get("rigid.frame"))
+        self.start = self.gauge.reading(copied_dofs(self.model, rested), rested.get("rigid.frame"))
         self.sense = float(np.sign(self.until - self.start))
 
     def read(self) -> float:

@@ -71,8 +71,8 @@ GROWING = GrowingSettings()
 class FallingSettings:
     """What the branch behind the collapse goes by. Rates are those of exponentials and of circular frequencies.
 
-    aim        of the accuracy: share of the collapse factor by which the factor exceeds equilibrium, as the way gathers
-               pace; `rough`, times that, at which it gathers no more, and begins to slow down
+    aim        of the accuracy: share of the collapse factor by which the factor exceeds equilibrium, as the gauge
+               gathers pace; `rough`, times that, at which it gathers no more, and begins to slow down
     quick      rate of the servo over that of the fall; `slow`, at most over the slowest swing at first: with 0.1 blocks
                that slide began to flutter, at 0.05 blocks, walls and arches did not
     least      times of the servo that the branch takes, at least
@@ -81,7 +81,7 @@ class FallingSettings:
                whose joints slide began to flutter
     memory     rate at which older moves fade from the drift, over that of the servo
     moves      of the most that anything moves: what the gauge must move in the mechanism, at least
-    integral   share with which the gauge's lag behind the way moves what is taken for equilibrium: as that falls
+    integral   share with which the gauge's lag moves what is taken for equilibrium: as that falls
                steadily, the gauge would else run ahead by as much as the servo is late
     runs       times the pace: a gauge that is faster leaps where it is ahead, and runs away where the factor is 0
     patience   times the steps that a branch takes where all goes well, after which it is given up

@@ -1,4 +1,4 @@
-"""The way of a drive to the first damage."""
+"""The approach of a drive to the first damage."""
 
 import numpy as np
 

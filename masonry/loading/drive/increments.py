@@ -34,7 +34,7 @@ class Increments(Remembering):
     stored, broken, damped       J at its end, see DriveRow
     place, force                 m, signed, and N: of the drive, when it was seen last
     most_stored, most_force      the most so far (J, N); farthest: of the places (m)
-    work                         J, of the drive; on the way back it counts as well
+    work                         J, of the drive; work back counts as well
     settled_force                N, before the drive moved
     """
 

@@ -16,12 +16,12 @@ class AdaptiveSettings:
     coarsest, finest   increments in which the whole displacement is made, at least and at most
     first              share of the displacement that the first increment makes
     parting, shortest  the same over the deepest overlap of blocks under the dead loads, where patches may part; and
-                       the least increment there over the way so far
+                       the least increment there over the path so far
     learning           increments before the speed may rise
     intact             nothing counts as damaged while fracture has taken less than this share of the stored energy
     rise, fall         most and least change of the speed from one increment to the next, while all is elastic
-    approach           share of the way to the first damage, slip or opening that an increment may make, unless it is as
-                       short as the accuracy anyway
+    approach           share of the path to the first damage, slip or opening that an increment may make, unless it is
+                       as short as the accuracy anyway
     faster, slower     most and least change of the speed from then on
 
     Bounds on what an increment may bring:
@@ -30,7 +30,7 @@ class AdaptiveSettings:
     sway               root of kinetic over stored energy
     rises              change of the force of the drive over the largest, where contacts are dry
     ends, drag         difference between the forces of the two ends, and the force that damping takes on average (its
-                       work over the way), over the largest force
+                       work over the path), over the largest force
 
     Sudden cracks:
     unexpected         share of the kinetic energy that was not expected, from which on the drive is held

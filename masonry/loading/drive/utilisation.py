@@ -35,7 +35,7 @@ class Dry(Remembering):
     """What a drive goes by where contacts are patches (Model.dry): these do not tell how near they are to part or to
     slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
-    parting   m, as short a way as faces may part in, which the first increment makes
+    parting   m, the shortest path in which faces may part, which the first increment makes
     stiffest  N/m, the largest stiffness so far: contacts still swing by it where the specimen has none any more
     """
 

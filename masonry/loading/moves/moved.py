@@ -24,9 +24,9 @@ def dofs(model: Model) -> Arrays:
     return {part.name: part.displacements for part in parts_of(model)}
 
 
-def moved_since(model: Model, kept: Arrays) -> Arrays:
-    """How dofs have changed since a state that was kept."""
-    before = kept_dofs(model, kept)
+def moved_since(model: Model, copies: Arrays) -> Arrays:
+    """How dofs have changed since copies of the model were made (configuration/model_state.py)."""
+    before = copied_dofs(model, copies)
     return {kind: now - before[kind] for kind, now in dofs(model).items()}
 
 
@@ -34,8 +34,8 @@ def blocks_reach(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B, 2) m, how far each block has moved, and how much it turned and strained; moved: as of `places`. Of tets it is
     the node that moved most."""
     reached = np.zeros((model.blocks.count, 2))
-    for part, way in zip(parts_of(model), moved, strict=True):
-        far = np.column_stack([np.linalg.norm(way[:, :3], axis=1), np.linalg.norm(way[:, 3:], axis=1)])
+    for part, path in zip(parts_of(model), moved, strict=True):
+        far = np.column_stack([np.linalg.norm(path[:, :3], axis=1), np.linalg.norm(path[:, 3:], axis=1)])
         reached[part.blocks] = part.largest(far)
     return reached
 
@@ -43,11 +43,11 @@ def blocks_reach(model: Model, moved: list[np.ndarray]) -> np.ndarray:
 def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
     """(B,) how far each block has moved, over the one that moved most; zeros where none did. moved: as of `places`."""
     reached = np.zeros(model.blocks.count)
-    for part, way in zip(parts_of(model), moved, strict=True):
-        reached[part.blocks] = part.largest(np.linalg.norm(way, axis=1))
+    for part, path in zip(parts_of(model), moved, strict=True):
+        reached[part.blocks] = part.largest(np.linalg.norm(path, axis=1))
     return reached / max(float(reached.max(initial=0.0)), 1e-300)
 
 
-def kept_dofs(model: Model, kept: Arrays) -> Arrays:
-    """The same of a state that was kept (configuration/model_state.py)."""
-    return {part.name: part.kept(kept) for part in parts_of(model)}
+def copied_dofs(model: Model, copies: Arrays) -> Arrays:
+    """The dofs in such copies."""
+    return {part.name: part.kept(copies) for part in parts_of(model)}
