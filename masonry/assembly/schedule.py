@@ -11,7 +11,7 @@ from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing import Control, Growing
 from masonry.loading.drive.adaptive import Controlled
 from masonry.loading.plan import PacedPlan, Plan
-from masonry.loading.schedule import followed, passage, program, require_few, rise, smooth, steps_at
+from masonry.loading.programs import followed, passage, program, require_few, rise, smooth, steps_at
 from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.history import Timed

@@ -7,8 +7,8 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
+from masonry.loading.crack_watch import CrackWatch
 from masonry.loading.loading import Expected, Loading
-from masonry.loading.sudden_cracks import CrackWatch
 from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model

@@ -12,9 +12,9 @@ from masonry.kinematics.motion import Guided, resist
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.drive.adaptive_settings import SETTINGS
 from masonry.loading.drive.increments import DriveRow
-from masonry.loading.drive.settings import SETTINGS
-from masonry.loading.schedule import rise
+from masonry.loading.programs import rise
 from masonry.scene import load
 from tests.couplet.curve import couplet as curve_of
 from tests.timeloop.test_loop import bits, corner_numbers, couplet

@@ -9,7 +9,7 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration.energy import Seen
 from masonry.laboratory import laboratory
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
-from masonry.loading.schedule import rise
+from masonry.loading.programs import rise
 from masonry.loading.scheduled import ScheduledLoading
 from masonry.rows.cycles import bounds, table
 from masonry.scene import load

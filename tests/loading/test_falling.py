@@ -12,7 +12,7 @@ from masonry.curves.curve import curve_figure
 from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
 from masonry.loading.collapse.branch import Branch
-from masonry.loading.collapse.settings import FALLING
+from masonry.loading.collapse.growing_settings import FALLING
 from masonry.rows.columns import FACTOR, OFF_BALANCE
 from masonry.scene import load as load_scene
 from tests.loading.test_growing import ACCURACY, block

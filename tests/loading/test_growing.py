@@ -13,7 +13,7 @@ from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
 from masonry.loading.collapse import growing
 from masonry.loading.collapse.growing import GrowingLoading
-from masonry.loading.collapse.settings import GROWING
+from masonry.loading.collapse.growing_settings import GROWING
 from masonry.scene import load as load_scene
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 from verification.cases.friction.collapse_in_one_run import DILATES

@@ -8,7 +8,7 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
 from masonry.loading.drive.increments import DriveRow
-from masonry.loading.schedule import rise
+from masonry.loading.programs import rise
 from masonry.monitors.events import Event, Events, table
 from masonry.rows.cycles import bounds
 from masonry.rows.peak import at_peak, peak_row

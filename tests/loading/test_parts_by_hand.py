@@ -9,16 +9,16 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.configuration import energy
 from masonry.configuration.energy import Seen
-from masonry.loading import scheduled, sudden_cracks
+from masonry.loading import crack_watch, scheduled
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.growing_settings import GROWING
 from masonry.loading.collapse.pace import Pace
-from masonry.loading.collapse.settings import GROWING
 from masonry.loading.collapse.watching import FallWatch
 from masonry.loading.drive.utilisation import utilisation
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import places, reach, relative_travel
-from masonry.loading.schedule import landmarks, passage, steps_at
+from masonry.loading.programs import landmarks, passage, steps_at
 from masonry.loading.scheduled import Program, ScheduledLoading
 from masonry.loading.varying_loads import SharedLoads, knots
 from masonry.scene import load
@@ -197,7 +197,7 @@ def test_what_goes_a_fifth_further_in_the_last_third_than_in_the_one_before_acce
 
 @pytest.mark.parametrize(("kinetic", "leaps"), [(0.99, False), (1.01, True)])
 def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is_stored(kinetic, leaps, monkeypatch):
-    watch = sudden_cracks.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
+    watch = crack_watch.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
     monkeypatch.setattr(watch.events, "anything_dissipated", lambda: True)
     watch.usual = 1.0
     watch.see(2.0)
@@ -211,12 +211,12 @@ def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is
 
 @pytest.mark.parametrize(("share", "rests"), [(0.99, True), (1.01, False)])
 def test_the_drive_goes_on_when_twenty_brakings_on_end_found_it_still(share, rests, monkeypatch):
-    watch = sudden_cracks.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
+    watch = crack_watch.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
     watch.see(3.0)
     watch.hold(10)
-    monkeypatch.setattr(sudden_cracks, "brake", lambda *_: None)
+    monkeypatch.setattr(crack_watch, "brake", lambda *_: None)
     kinetic = [1.0] + [share * 1e-7 * 3.0] * 19
-    monkeypatch.setattr(sudden_cracks.energy, "kinetic", lambda *_: kinetic.pop(0) if kinetic else share * 1e-7 * 3.0)
+    monkeypatch.setattr(crack_watch.energy, "kinetic", lambda *_: kinetic.pop(0) if kinetic else share * 1e-7 * 3.0)
     held = []
     for step in range(21):
         watch.look(step, 0.0, [])

@@ -9,7 +9,7 @@ from masonry.configuration.energy import kinetic, ledger, observe, velocities
 from masonry.configuration.parts.parts import parts_of
 from masonry.judgement.sentence import trust
 from masonry.laboratory.text import sudden_text
-from masonry.loading.sudden_cracks import brake
+from masonry.loading.crack_watch import brake
 from masonry.scene import load as load_scene
 from masonry.timeloop.compiled_step import advance_model, compile_for
 from tests.scenes import load

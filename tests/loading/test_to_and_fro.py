@@ -12,7 +12,7 @@ from masonry.errors import SceneError
 from masonry.laboratory.text import summary_text
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
-from masonry.loading.collapse.settings import GROWING
+from masonry.loading.collapse.growing_settings import GROWING
 from masonry.scene import load as load_scene
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 from verification.cases.friction.beam_to_and_fro import FOOT, FORCE, SCENE, SLIDES, slip

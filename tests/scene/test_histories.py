@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from masonry.errors import SceneError
-from masonry.loading.schedule import passage
+from masonry.loading.programs import passage
 from masonry.scene import load, to_toml
 from masonry.scene.tables.expression import read
 from masonry.scene.tables.history import timed

@@ -6,7 +6,7 @@ import pytest
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.loading.schedule import program
+from masonry.loading.programs import program
 from masonry.monitors.frames import Frames, block_of_points
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 

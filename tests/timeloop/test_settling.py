@@ -8,7 +8,7 @@ from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import FEWEST
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from masonry.laboratory.settling import AT_REST
+from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import load as load_scene
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
@@ -36,7 +36,7 @@ def test_a_run_that_finds_its_steps_has_the_bits_of_one_that_was_given_them(name
     assert result.scene_toml == given.scene_toml and f"[settle]\nsteps = {FEWEST}" in result.scene_toml
     first, second = everything(result), everything(given)
     assert not [key for key in first if first[key] != second[key]]
-    assert result.summary["unbalanced_after_settling"] < AT_REST
+    assert result.summary["unbalanced_after_settling"] < SETTLED.force
 
 
 def column(damping: float):
@@ -75,7 +75,7 @@ def test_what_swings_for_long_gets_as_many_steps_as_it_needs():
     result = laboratory.run(scene)
     (steps,) = {int(line.split()[-1]) for line in result.scene_toml.split("\n") if line.startswith("steps = ")}
     assert steps > FEWEST and steps == result.summary["steps"]
-    assert result.summary["unbalanced_after_settling"] < AT_REST
+    assert result.summary["unbalanced_after_settling"] < SETTLED.force
     half = laboratory.run(scene.with_({"settle.steps": steps // 2}))
     late = half.history.rows["kinetic"][-steps // 20 :].max()
     assert late > result.history.rows["kinetic"][-steps // 20 :].max(), "half as many leave it swinging"

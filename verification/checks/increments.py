@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from masonry.loading.schedule import smooth
+from masonry.loading.programs import smooth
 from masonry.loading.scheduled import Program
 from masonry.timeloop import timeloop
 

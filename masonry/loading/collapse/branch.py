@@ -14,10 +14,10 @@ import numpy as np
 
 from masonry.loading.collapse.account import Account
 from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.growing_settings import FALLING, FallingSettings
 from masonry.loading.collapse.led_gauge import LedGauge
 from masonry.loading.collapse.outcome import BranchOutcome
 from masonry.loading.collapse.servo import Servo
-from masonry.loading.collapse.settings import FALLING, FallingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, moved_since, reach
 from masonry.loading.varying_loads import works_of

@@ -7,7 +7,7 @@ that grows.
 from math import inf, log
 
 from masonry.loading.collapse.factor_path import FactorPath
-from masonry.loading.collapse.settings import GrowingSettings
+from masonry.loading.collapse.growing_settings import GrowingSettings
 from masonry.runtime.state import Remembering
 
 LEAST = 1e-9

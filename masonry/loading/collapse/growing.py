@@ -15,9 +15,9 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.loading.collapse.branch import Branch
 from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.growing_settings import FALLING, GROWING, GrowingSettings
 from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.loading.collapse.phases import PHASES, EndPhase, Phase, SettlingPhase
-from masonry.loading.collapse.settings import FALLING, GROWING, GrowingSettings
 from masonry.loading.collapse.trials import FactorLoad, Tally, Trials
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan

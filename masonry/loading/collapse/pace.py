@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.loading.collapse.settings import GrowingSettings
+from masonry.loading.collapse.growing_settings import GrowingSettings
 from masonry.runtime.state import Remembering
 
 

@@ -4,8 +4,8 @@ from math import sqrt
 
 import numpy as np
 
+from masonry.loading.collapse.growing_settings import FallingSettings
 from masonry.loading.collapse.led_gauge import LedGauge
-from masonry.loading.collapse.settings import FallingSettings
 from masonry.runtime.state import Remembering
 
 

@@ -8,8 +8,8 @@ from masonry.configuration.configuration import configuration_of
 from masonry.loading.collapse.branch import Branch
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
+from masonry.loading.collapse.growing_settings import GrowingSettings
 from masonry.loading.collapse.pace import Pace
-from masonry.loading.collapse.settings import GrowingSettings
 from masonry.loading.collapse.watching import FallWatch
 from masonry.loading.loading import Loading
 from masonry.loading.moves.moved import Arrays

@@ -10,7 +10,7 @@ from math import exp
 
 import numpy as np
 
-from masonry.loading.collapse.settings import GrowingSettings
+from masonry.loading.collapse.growing_settings import GrowingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, moved_since
 from masonry.model.model import Model

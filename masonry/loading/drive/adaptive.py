@@ -8,13 +8,13 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.kinematics.motion import Guided
+from masonry.loading.drive.adaptive_settings import SETTINGS, AdaptiveSettings
 from masonry.loading.drive.approach import Approach
 from masonry.loading.drive.bounds import Bounds, DragLook
 from masonry.loading.drive.increments import DriveRow, Increments
 from masonry.loading.drive.path import DrivePath
 from masonry.loading.drive.pause import DrivePause
 from masonry.loading.drive.predictor import AT_FIRST, Predictor
-from masonry.loading.drive.settings import SETTINGS, AdaptiveSettings
 from masonry.loading.drive.speed import DriveSpeed
 from masonry.loading.drive.utilisation import Dry, utilisation
 from masonry.loading.loading import Expected, Loading, LoadingOutcome

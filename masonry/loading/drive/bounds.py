@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.increments import DriveRow, Increments
-from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED
 from masonry.runtime.state import State

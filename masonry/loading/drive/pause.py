@@ -1,6 +1,6 @@
 """A drive that waits: where a crack is sudden, and at the end of its path."""
 
-from masonry.loading.drive.settings import AdaptiveSettings
+from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.events import Events
 from masonry.runtime.state import Remembering

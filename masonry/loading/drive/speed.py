@@ -3,8 +3,8 @@
 import numpy as np
 
 from masonry.configuration.small import LEAP
-from masonry.loading.drive.settings import AdaptiveSettings
-from masonry.loading.schedule import smooth
+from masonry.loading.drive.adaptive_settings import AdaptiveSettings
+from masonry.loading.programs import smooth
 from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
 from masonry.runtime.state import Remembering

@@ -4,8 +4,8 @@ import numpy as np
 
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Seen
+from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.predictor import Predictor
-from masonry.loading.drive.settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.runtime.state import Remembering
 

@@ -27,7 +27,7 @@ from skfem import MeshTet
 from geometry.blocks import Specimen, TetMesh
 from geometry.polyhedra.construct import from_boxes
 from masonry.laboratory import laboratory
-from masonry.loading.schedule import program
+from masonry.loading.programs import program
 from masonry.timeloop import timeloop
 from verification.case import Case, Findings, Line
 from verification.checks.other_conditions import turned
