@@ -12,7 +12,7 @@ from typing import NamedTuple
 from masonry.errors import closest
 
 
-class Measure(NamedTuple):
+class UnitInSI(NamedTuple):
     """One of a unit in SI, and the powers of m, kg and s; angles have none."""
 
     factor: Fraction
@@ -89,7 +89,7 @@ _TIMES = {name: Fraction(text) for names, text in _PREFIXES.items() for name in 
 
 
 @lru_cache(maxsize=256)
-def measure(text: str) -> Measure:
+def measure(text: str) -> UnitInSI:
     """Of a product such as "N/mm^2". Raises ValueError with the nearest unit for a name that is none."""
     factor, powers = Fraction(1), [0, 0, 0]
     for operator, symbol, power in _TERM.findall(text):
@@ -97,11 +97,11 @@ def measure(text: str) -> Measure:
         times = int(power or 1) * (-1 if operator == "/" else 1)
         factor *= one.factor**times
         powers = [total + times * n for total, n in zip(powers, one.powers, strict=True)]
-    return Measure(factor, (powers[0], powers[1], powers[2]))
+    return UnitInSI(factor, (powers[0], powers[1], powers[2]))
 
 
 @lru_cache(maxsize=256)
-def _named(symbol: str) -> Measure:
+def _named(symbol: str) -> UnitInSI:
     """One unit by its name, with a prefix or without, in the plural or not."""
     if symbol in _TRAPS:
         raise ValueError(f"{symbol} is not accepted; did you mean {_TRAPS[symbol]}?")
@@ -109,7 +109,7 @@ def _named(symbol: str) -> Measure:
         if name != symbol and len(name) < 3:
             break
         if name in _BASE:
-            return Measure(Fraction(1), _BASE[name])
+            return UnitInSI(Fraction(1), _BASE[name])
         if name in _DEFINED:
             number, _, product = _DEFINED[name].partition(" ")
             return _times(Fraction(number), measure(product))
@@ -125,5 +125,5 @@ def _named(symbol: str) -> Measure:
     raise ValueError(f"{symbol[:80]!r} is no known unit; {nearest}")
 
 
-def _times(factor: Fraction, one: Measure) -> Measure:
-    return Measure(factor * one.factor, one.powers)
+def _times(factor: Fraction, one: UnitInSI) -> UnitInSI:
+    return UnitInSI(factor * one.factor, one.powers)

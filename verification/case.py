@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.laboratory.result import Result
-from verification.scene_runs import Run, judge
+from verification.scene_runs import SceneRun, judge
 
 KINDS = ("closed form", "limit analysis", "same discretisation", "refined model", "converged run", "invariance")
 """What a reference can be; an experiment is validation, not verification, and is not among them."""
@@ -138,12 +138,12 @@ class Findings:
     seconds: dict[str, float] = field(default_factory=dict)
     measures: dict[str, dict[str, float | None]] = field(default_factory=dict)
 
-    def note(self, name: str, run: Run | Result) -> Result:
+    def note(self, name: str, run: SceneRun | Result) -> Result:
         """Keep the ledger and the time of a run of the solver; every run of a case goes through here.
 
         Raises SceneError for a run that was refused.
         """
-        one = run if isinstance(run, Run) else judge(run)
+        one = run if isinstance(run, SceneRun) else judge(run)
         if one.result is None:
             raise SceneError(one.reason)
         self.imbalance[name] = one.imbalance

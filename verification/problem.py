@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.timed_run import THREADS
 
 Refinement = dict[str, dict[str, Any]]
@@ -31,7 +31,7 @@ class Reference:
         return replace(self, uncertainty=max(self.uncertainty, by))
 
 
-def stress_and_energy(one: Run) -> dict[str, float]:
+def stress_and_energy(one: SceneRun) -> dict[str, float]:
     """What most problems measure: peak stress and stress at the end (Pa), and dissipated energy (J)."""
     return {
         "peak stress": one.value("peak"),
@@ -67,9 +67,9 @@ class Problem:
     scene: str
     knobs: dict[str, Refinement]
     base: dict[str, Any] = field(default_factory=dict)
-    measure: Callable[[Run], dict[str, float]] = stress_and_energy
-    exact: Callable[[Run], dict[str, float]] | None = None
-    theory: Callable[[Run], dict[str, float]] | None = None
+    measure: Callable[[SceneRun], dict[str, float]] = stress_and_energy
+    exact: Callable[[SceneRun], dict[str, float]] | None = None
+    theory: Callable[[SceneRun], dict[str, float]] | None = None
     converged: str = RATE
     units: Mapping[str, str] = field(
         default_factory=lambda: {"peak stress": "Pa", "end stress": "Pa", "dissipated energy": "J"}

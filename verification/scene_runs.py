@@ -29,7 +29,7 @@ BLOCKS = "made.blocks.h5"
 
 
 @dataclass
-class Run:
+class SceneRun:
     """What came of a scene.
 
     status     OK, STOPPED (the result is that of the steps before), REFUSED (there is none) or NOT FINITE
@@ -78,14 +78,14 @@ class Run:
         return float(self.summary["peak_stress_pa" if quantity == "peak" else "final_stress_pa"])
 
 
-def judge(result: Result, name: str = "", knobs: Settings | None = None, stopped: str = "") -> Run:
+def judge(result: Result, name: str = "", knobs: Settings | None = None, stopped: str = "") -> SceneRun:
     """The result of a run that came to its end, or was `stopped` for a reason."""
     summary, rows = result.summary, result.history.rows
     status, reason = ("STOPPED", stopped) if stopped else ("OK", "")
     if not (all(np.isfinite(v).all() for v in rows.values()) and _finite(summary)):
         status, reason = "NOT FINITE", stopped or "the results hold NaN or infinity"
     times, gap = [float(summary["seconds_run"])], balance.open_by(result)
-    return Run(name, dict(knobs or {}), status, reason, summary, rows, times, imbalance=gap, result=result)
+    return SceneRun(name, dict(knobs or {}), status, reason, summary, rows, times, imbalance=gap, result=result)
 
 
 def run(
@@ -94,13 +94,13 @@ def run(
     specimen: Specimen | None = None,
     mesh: TetMesh | None = None,
     threads: int = 1,
-) -> Run:
+) -> SceneRun:
     """Run a scene of this name (see `loaded`); never raises for what the program refuses or stops."""
     try:
         with loaded(name, knobs, specimen, mesh) as scene:
             one = judge(laboratory.run(scene, threads), name, knobs)
     except (SceneError, GeometryError) as refused:
-        one = Run(name, dict(knobs or {}), "REFUSED", str(refused))
+        one = SceneRun(name, dict(knobs or {}), "REFUSED", str(refused))
     except Stopped as stopped:
         one = judge(stopped.result, name, knobs, str(stopped))
     one.threads = threads

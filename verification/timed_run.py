@@ -7,16 +7,16 @@ from typing import Any
 
 from verification import scene_runs
 from verification.records import finite
-from verification.scene_runs import Run, Settings
+from verification.scene_runs import SceneRun, Settings
 
 QUANTITIES = {"peak": "Pa", "final": "Pa", "residual": "Pa", "dissipated": "J"}
 REPEATS, REPEATED = 3, 2.0
 THREADS = "threads"
-DONE: dict[str, Run] = {}
+DONE: dict[str, SceneRun] = {}
 """Every timed run so far, without its frames: the same one asked twice runs once."""
 
 
-def run(scene: str, knobs: Settings | None = None, timed: bool = False) -> Run:
+def run(scene: str, knobs: Settings | None = None, timed: bool = False) -> SceneRun:
     """Run a scene with overrides by dotted key; THREADS is a knob beside them. Never raises what the program refuses.
 
     Timed: runs of less than REPEATED seconds are made three times, for a steadier time.
@@ -30,14 +30,14 @@ def run(scene: str, knobs: Settings | None = None, timed: bool = False) -> Run:
     return one
 
 
-def _once(scene: str, knobs: Settings) -> Run:
+def _once(scene: str, knobs: Settings) -> SceneRun:
     keys: dict[str, Any] = {key: value for key, value in knobs.items() if key != THREADS}
     one = scene_runs.run(scene, keys, threads=knobs.get(THREADS, 1))
     one.result = None
     return one
 
 
-def record(one: Run, quantity: str, value: float, reference: float, kind: str, scale: float = 0.0) -> dict:
+def record(one: SceneRun, quantity: str, value: float, reference: float, kind: str, scale: float = 0.0) -> dict:
     """One line of records.json; the signed error is relative to `scale`, or to the reference where none is given."""
     size = abs(scale or reference)
     error = (value - reference) / size if size else math.nan

@@ -12,7 +12,7 @@ from masonry.errors import SceneError
 from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from verification.html.page import Chapter
-from verification.scene_runs import Run, joint_of, load
+from verification.scene_runs import SceneRun, joint_of, load
 from verification.stability import falling, maps, motion
 from verification.stability.cells import GOOD, KINDS, POOR, STATUSES, CellOutcome, Exact, Grid, MapCell
 from verification.stability.drawing import heat_map, length, written
@@ -24,8 +24,8 @@ from verification.studies import stability
 SOUND = {"energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
 
 
-def made(status="OK", reason="", **summary) -> Run:
-    return Run("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
+def made(status="OK", reason="", **summary) -> SceneRun:
+    return SceneRun("couplet", {}, status=status, reason=reason, summary={**SOUND, **summary})
 
 
 def mapped(blocks_fall: bool) -> dict[str, list[CellOutcome]]:
@@ -124,7 +124,7 @@ def test_the_limit_of_the_chain_is_the_largest_frequency_of_its_stiffness_matrix
 
 def test_a_changed_reference_is_noticed():
     """The closed form takes its numbers from the scene: with 2 % more energy in the scene alone, it fails."""
-    one = Run(COUPLET, {"drive.steps": 4000})
+    one = SceneRun(COUPLET, {"drive.steps": 4000})
     one.summary = laboratory.run(scene.load(COUPLET, one.knobs)).summary
     assert max(exact.error for exact in sheared(one).values()) < 1e-3
     more = 1.02 * joint_of(COUPLET, {}).G_II

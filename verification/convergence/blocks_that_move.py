@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 
 from verification.fixtures.dry_blocks import DENSITY, G, block, box, leaning, restitution, slab
 from verification.problem import Problem, Refinement, fractions
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 STEP, STIFFNESS, SKIN = "time step", "model: normal stiffness", "skin"
 ZETA, SLOPE, FRICTION, SLID = 0.2, 20.0, 0.2, 0.2
@@ -28,29 +28,29 @@ HALF, HIGH, THICK, ROCKED = 0.125, 0.5, 0.5, 0.3
 """m, half sizes of the block that rocks, and its thickness; s."""
 
 
-def at_the_end(one: Run) -> float:
+def at_the_end(one: SceneRun) -> float:
     """Energy of motion (J)."""
     return float(one.rows["kinetic"][-1])
 
 
-def rebound(one: Run) -> dict[str, float]:
+def rebound(one: SceneRun) -> dict[str, float]:
     """What is left of the energy of motion after over before, as a speed."""
     return {"restitution": float(np.sqrt(at_the_end(one) / one.rows["kinetic"][1]))}
 
 
-def spin_energy(_: Run) -> dict[str, float]:
+def spin_energy(_: SceneRun) -> dict[str, float]:
     """Of the brick as it was let go."""
     size = np.array([0.24, 0.115, 0.06])
     inertia = DENSITY * size.prod() * (size @ size - size**2) / 12.0
     return {"energy of spin": float(0.5 * inertia @ SPIN**2)}
 
 
-def slid(_: Run) -> dict[str, float]:
+def slid(_: SceneRun) -> dict[str, float]:
     """m/s, after its time."""
     return {"speed": G * (sin(radians(SLOPE)) - FRICTION * cos(radians(SLOPE))) * SLID}
 
 
-def rocked(_: Run) -> dict[str, float]:
+def rocked(_: SceneRun) -> dict[str, float]:
     """From the angle by quadrature."""
     radius, slender = hypot(HALF, HIGH), atan(HALF / HIGH)
     start = [0.5 * slender, 0.0]

@@ -14,7 +14,7 @@ only the meshes are held against the beam; the loading is, against the converged
 from typing import Any
 
 from verification.problem import ACCURACY, FEW_ROWS, Problem, Refinement, accuracies, dampings, fractions, steps
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 BLOCKS, SIDE, LENGTH, PLATE = 5, 0.1, 0.1, 0.02
 KN, KS, YOUNG, POISSON, PUSH = 150e9, 70e9, 16.7e9, 0.2, 20e-6
@@ -25,12 +25,12 @@ STIFFNESS = "stiffness of the tip"
 TETS: dict[str, Any] = {"kinematics": {"default": "tets", "plates": "rigid"}}
 
 
-def measured(one: Run) -> dict[str, float]:
+def measured(one: SceneRun) -> dict[str, float]:
     """Force over displacement at the tip (N/m)."""
     return {STIFFNESS: one.value("final") * SIDE**2 / PUSH}
 
 
-def exact(one: Run) -> dict[str, float]:
+def exact(one: SceneRun) -> dict[str, float]:
     """The same by beam theory; the blocks' own bending and shear only where they have any."""
     inertia, area, tip = SIDE**4 / 12, SIDE**2, BLOCKS * LENGTH + PLATE / 2
     arms = [tip - k * LENGTH for k in range(BLOCKS + 1)]

@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 
 from verification.problem import ACCURACY, FEW_ROWS, RATE, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 JOINT = Joint(G_I=20.0)
 LENGTH, WIDTH, ECCENTRICITY, PULL, LAW = 0.2, 0.05, 0.03, 60e-6, "exponential"
@@ -52,7 +52,7 @@ def solution() -> tuple[float, float]:
     return peak, dissipated * WIDTH * LENGTH / FIBRES
 
 
-def exact(one: Run) -> dict[str, float]:
+def exact(one: SceneRun) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J) of the continuous joint."""
     peak, dissipated = solution()
     return {"peak stress": peak, "dissipated energy": dissipated}

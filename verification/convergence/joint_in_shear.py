@@ -16,7 +16,7 @@ import numpy as np
 from verification.problem import FEW_ROWS, Problem, pace
 from verification.references import closed_forms
 from verification.references.closed_forms import Joint
-from verification.scene_runs import Run, joint_of, load
+from verification.scene_runs import SceneRun, joint_of, load
 
 STEPS = 32000
 
@@ -28,7 +28,7 @@ def exact_stress(scene: str, knobs: dict[str, Any], slip: np.ndarray) -> np.ndar
     return closed_forms.shear(loaded.contact["unit_unit"].law, joint, slip, loaded.confinement or 0.0)
 
 
-def exact_values(one: Run) -> dict[str, float]:
+def exact_values(one: SceneRun) -> dict[str, float]:
     """Peak and final stress (Pa), and the energy (J) that the joint has dissipated at the end of the drive."""
     loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None
@@ -43,7 +43,7 @@ def exact_values(one: Run) -> dict[str, float]:
     }
 
 
-def exact(one: Run) -> dict[str, float]:
+def exact(one: SceneRun) -> dict[str, float]:
     """Peak and end stress (Pa), and dissipated energy (J), from the closed form."""
     values = exact_values(one)
     return {"peak stress": values["peak"], "end stress": values["final"], "dissipated energy": values["dissipated"]}
@@ -72,7 +72,7 @@ LENGTH, WIDTH, PRESSURE, PUSH = 0.25, 0.1, 0.2e6, 0.6e-3
 """Of the triplet: m, m, Pa, m."""
 
 
-def exact_of_triplet(one: Run) -> dict[str, float]:
+def exact_of_triplet(one: SceneRun) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J)."""
     dissipated = float(closed_forms.dissipated_in_shear("linear", JOINT, PUSH, PRESSURE))
     return {"peak stress": float(JOINT.peak(PRESSURE)), "dissipated energy": 2 * LENGTH * WIDTH * dissipated}

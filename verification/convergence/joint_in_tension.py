@@ -13,7 +13,7 @@ import numpy as np
 
 from verification.problem import FEW_ROWS, Problem, pace
 from verification.references.closed_forms import Joint, dissipated_in_tension, tension
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 JOINT = Joint()
 GLUE, LENGTH, WIDTH, PULL = 600e9, 0.2, 0.05, 40e-6
@@ -21,7 +21,7 @@ GLUE, LENGTH, WIDTH, PULL = 600e9, 0.2, 0.05, 40e-6
 SCENE = "joint-and-glue"
 
 
-def exact(one: Run) -> dict[str, float]:
+def exact(one: SceneRun) -> dict[str, float]:
     """Peak (Pa) and dissipated energy (J) of the law that a run had."""
     law = str(one.knobs["law"])
     opening = np.linspace(0.0, PULL, 400_001)

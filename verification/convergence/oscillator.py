@@ -10,7 +10,7 @@ Central differences are of second order: the error falls with the square of the 
 import numpy as np
 
 from verification.problem import Problem
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 SIDE, HEIGHT, DENSITY, KN, GRAVITY = 0.2, 0.1, 2000.0, 1e9, 9.81
 PERIODS = 2.25
@@ -21,12 +21,12 @@ SCENE = "oscillator"
 MOTION, SPRING = "energy of motion", "energy of the joint"
 
 
-def measured(one: Run) -> dict[str, float]:
+def measured(one: SceneRun) -> dict[str, float]:
     """At the end (J); kinetic energy is that of half a step before, which is part of the error."""
     return {MOTION: float(one.rows["kinetic"][-1]), SPRING: float(one.rows["elastic_contacts"][-1])}
 
 
-def exact(one: Run) -> dict[str, float]:
+def exact(one: SceneRun) -> dict[str, float]:
     """Duhamel's integral by Gauss points."""
     half = DURATION / 2
     nodes, weights = np.polynomial.legendre.leggauss(60)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 GOOD, POOR = 0.01, 0.05
 """Errors up to which a cell is right, and beyond which one that says nothing is wrong."""
@@ -28,8 +28,8 @@ class Exact(NamedTuple):
         return abs(self.value - self.reference) / size if size else math.inf
 
 
-Compare = Callable[[Run], dict[str, Exact]]
-Make = Callable[[], Run]
+Compare = Callable[[SceneRun], dict[str, Exact]]
+Make = Callable[[], SceneRun]
 
 
 @dataclass(frozen=True)

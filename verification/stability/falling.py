@@ -5,7 +5,7 @@ from math import cos, radians, sin
 import numpy as np
 
 from verification.fixtures.dry_blocks import DENSITY, G, box, leaning, restitution, slab
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.scenes import Knobs
 
@@ -97,19 +97,19 @@ def rules(kn: float, friction: float, zeta: float) -> Knobs:
     }
 
 
-def rebound(one: Run) -> dict[str, Exact]:
+def rebound(one: SceneRun) -> dict[str, Exact]:
     """Speed after the impact over that before."""
     energy = one.rows["kinetic"]
     return {"restitution": Exact(float(np.sqrt(energy[-1] / energy[0])), restitution(ZETA))}
 
 
-def slid_by(one: Run) -> dict[str, Exact]:
+def slid_by(one: SceneRun) -> dict[str, Exact]:
     """Way along the plane."""
     pace = G * (sin(radians(SLOPE)) - FRICTION * cos(radians(SLOPE)))
     return {"way": Exact(float(one.rows["x"][-1]), 0.5 * pace * float(one.rows["time"][-1]) ** 2)}
 
 
-def borne(one: Run) -> dict[str, Exact]:
+def borne(one: SceneRun) -> dict[str, Exact]:
     """The slab bears both weights, and nothing has moved but by the springs."""
     volume, ratio = 1e-3, float(one.knobs["material.other"]["density"].split()[0]) / DENSITY
     end = one.summary["reactions"]["end"]["support.0"]["force_n"][2]

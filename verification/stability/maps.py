@@ -5,7 +5,7 @@ from typing import Any
 
 from verification import stability, timed_run
 from verification.catalogue import modules_of
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.stability.cells import GOOD, POOR, CellOutcome, Grid, MapCell
 
 
@@ -40,7 +40,7 @@ def _plain(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def judged(one: Run, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
+def judged(one: SceneRun, error: float, must: tuple[str, ...] = ()) -> tuple[str, str, str]:
     """(status, reason, kind) of a run whose largest error is known; kind as in cells.KINDS."""
     status, reason, kind = one.status, one.reason, "stop"
     if status == "NOT FINITE" or (one.ok and not math.isfinite(error)):

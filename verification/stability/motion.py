@@ -9,7 +9,7 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
 from masonry.loading.scheduled import Program
 from masonry.timeloop import compiled_step
-from verification.scene_runs import Run, joint_of, load
+from verification.scene_runs import SceneRun, joint_of, load
 from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.references import torn
 from verification.stability.scenes import CHAIN, Knobs, chain_of
@@ -99,18 +99,18 @@ def endurance(full: bool) -> Grid:
 class _Swing:
     """Makes the run of an undamped free swing along z; done once for both rows."""
 
-    made: dict[int, Run] = {}
+    made: dict[int, SceneRun] = {}
 
     def __init__(self, count: int, knobs: Knobs) -> None:
         self.count, self.knobs = count, knobs
 
-    def __call__(self) -> Run:
+    def __call__(self) -> SceneRun:
         if self.count not in self.made:
             self.made[self.count] = swing(self.count, self.knobs)
         return self.made[self.count]
 
 
-def swing(count: int, knobs: Knobs) -> Run:
+def swing(count: int, knobs: Knobs) -> SceneRun:
     """The free block starts with a velocity; `count` steps without loads, looked at about a thousand times."""
     import time
 
@@ -138,15 +138,15 @@ def swing(count: int, knobs: Knobs) -> Run:
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
-    return Run(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
+    return SceneRun(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
 
 
-def _energy(one: Run) -> dict[str, Exact]:
+def _energy(one: SceneRun) -> dict[str, Exact]:
     energies = one.rows["energy"]
     worst = energies[np.argmax(np.abs(energies - energies[0]))]
     return {"energy": Exact(float(worst), float(energies[0]))}
 
 
-def _place(one: Run) -> dict[str, Exact]:
+def _place(one: SceneRun) -> dict[str, Exact]:
     place, exact, reach = one.rows["place"]
     return {"place": Exact(float(place), float(exact), float(reach))}

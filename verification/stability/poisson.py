@@ -1,7 +1,7 @@
 """Poisson's ratio towards one half, where constant-strain tets lock in bending but not in uniform strain."""
 
 from verification import timed_run
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.stability.cells import Compare, Exact, Grid, MapCell
 from verification.stability.scenes import CHAIN, JOINT, Knobs, chain_of, pascals
 
@@ -34,23 +34,23 @@ def grids(full: bool) -> list[Grid]:
     return [Grid("Poisson's ratio of tets", "loading", "Poisson's ratio", cells, "closed form; at 0 in bending", note)]
 
 
-def _ratio(one: Run) -> float:
+def _ratio(one: SceneRun) -> float:
     return float(one.knobs["material.units.poisson_ratio"])
 
 
-def held_sideways(one: Run) -> dict[str, Exact]:
+def held_sideways(one: SceneRun) -> dict[str, Exact]:
     """Uniform strain: M = E (1 - nu)/((1 + nu)(1 - 2 nu)) in series with two joints."""
     nu = _ratio(one)
     modulus = YOUNG * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu))
     return {"peak": Exact(one.value("peak"), PUSH / (EDGE / modulus + 2.0 / STIFF))}
 
 
-def free_sideways(one: Run) -> dict[str, Exact]:
+def free_sideways(one: SceneRun) -> dict[str, Exact]:
     """Uniform stress: E in series with two joints that are all but smooth."""
     return {"peak": Exact(one.value("peak"), PUSH / (EDGE / YOUNG + 2.0 / STIFF))}
 
 
-def bent(one: Run) -> dict[str, Exact]:
+def bent(one: SceneRun) -> dict[str, Exact]:
     """The same mesh at nu = 0, times what Timoshenko's 12 EI/L^3/(1 + 12 EI/(kappa G A L^2)) changes."""
     soft = timed_run.run(CHAIN, {**one.knobs, "material.units.poisson_ratio": 0.0})
 

@@ -3,11 +3,11 @@
 import math
 
 from verification.references import closed_forms
-from verification.scene_runs import Run, joint_of, load
+from verification.scene_runs import SceneRun, joint_of, load
 from verification.stability.cells import Exact
 
 
-def sheared(one: Run) -> dict[str, Exact]:
+def sheared(one: SceneRun) -> dict[str, Exact]:
     """Peak stress, and energy dissipated over the work done, of a joint under a constant compression."""
     loaded = load(one.scene, one.knobs)
     assert loaded.drive is not None
@@ -25,7 +25,7 @@ def sheared(one: Run) -> dict[str, Exact]:
     }
 
 
-def sheared_over_plastic_slip(one: Run) -> dict[str, Exact]:
+def sheared_over_plastic_slip(one: SceneRun) -> dict[str, Exact]:
     """As `sheared`, for the exponential law over the plastic slip p: tau = residual + (peak - residual) e^(-c0 p/G).
 
     The slip of the drive is tau/ks + p; the energy is the integral of tau dp.
@@ -51,14 +51,14 @@ def sheared_over_plastic_slip(one: Run) -> dict[str, Exact]:
     }
 
 
-def pressure(one: Run, area: float) -> float:
+def pressure(one: SceneRun, area: float) -> float:
     """Compression (Pa) of the joint: the dead load on the top over the joint's area."""
     loaded = load(one.scene, one.knobs)
     top = area if loaded.specimen.kind != "boxes" else float(loaded.specimen.box[1].size[0]) ** 2
     return -float(loaded.traction[0].stress.z) * top / area
 
 
-def torn(one: Run) -> dict[str, Exact]:
+def torn(one: SceneRun) -> dict[str, Exact]:
     """Peak force and dissipated energy of blocks pulled apart at one joint; the drive carries the top's weight too.
 
     Held for openings at which next to nothing of the strength is left, so that other joints matter no more.

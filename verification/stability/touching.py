@@ -5,7 +5,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import from_faces
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.references import sheared
 from verification.stability.scenes import PAIR, Knobs, box
@@ -40,15 +40,15 @@ def _third(origin: tuple[float, float, float], support: list[Knobs], must: tuple
     return MapCell(PAIR, knobs, sheared, must)
 
 
-def face_twice() -> Run:
+def face_twice() -> SceneRun:
     """Two cubes, the lower one with its upper face there twice: the joint must have the area of one face."""
     joints = find_joints(_stacked())
     summary = {"steps": 0, "energy_imbalance": 0.0, "reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
     rows = {"area": joints.area.copy(), "repeated": np.array([float(joints.repeated)])}
-    return Run(PAIR, {}, summary=summary, rows=rows, times=[0.0])
+    return SceneRun(PAIR, {}, summary=summary, rows=rows, times=[0.0])
 
 
-def _area(one: Run) -> dict[str, Exact]:
+def _area(one: SceneRun) -> dict[str, Exact]:
     return {
         "area": Exact(float(one.rows["area"].sum()), 1.0),
         "faces dropped": Exact(float(one.rows["repeated"][0]), 1.0),

@@ -9,7 +9,7 @@ import numpy as np
 from verification import timed_run
 from verification.convergence.joint_in_shear import exact_stress, exact_values
 from verification.html import figures, page
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 ORDER = 10
 LAWS = ("linear", "polynomial", "exponential")
@@ -20,7 +20,7 @@ TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
 
 
-def errors(one: Run) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def errors(one: SceneRun) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """(quantity -> (value, reference, scale), (slip m, tau Pa, closed form Pa) at the rows).
 
     The curve's value is its largest distance from the closed form, in shares of the peak.

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from verification import timed_run
 from verification.html import page
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 ORDER = 90
 CLOSES, AGREES, TOLERABLE, FAST = 1e-9, 1e-3, 1e-2, 0.05
@@ -15,7 +15,7 @@ QUIET, SUDDEN, ROUGH, BEYOND = "quasi-static", "brittle", "too fast", "beyond th
 def chapter(tell: Callable[[str], None]) -> page.Chapter:
     """The worst figures by scene, over all the runs that were not stopped. Comes last: it looks at all the others."""
     made = page.Chapter("Energy balance")
-    sorts: dict[str, list[Run]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
+    sorts: dict[str, list[SceneRun]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
     for one in timed_run.DONE.values():
         if one.ok:
             sorts[sort_of(one)].append(one)
@@ -54,7 +54,7 @@ def chapter(tell: Callable[[str], None]) -> page.Chapter:
     return made
 
 
-def mismatch(one: Run) -> float:
+def mismatch(one: SceneRun) -> float:
     """Of the two sums of what is dissipated, over the first."""
     return float(one.summary["dissipation_mismatch"])
 
@@ -68,7 +68,7 @@ def kind_of(value: float, limit: float) -> str:
     return "ok" if value <= limit else "warn" if limit == AGREES and value <= TOLERABLE else "bad"
 
 
-def sort_of(one: Run) -> str:
+def sort_of(one: SceneRun) -> str:
     """Of a run that came through: what its two sums can be asked to agree to."""
     summary = one.summary
     if float(summary["step_fraction"]) > 1.0:

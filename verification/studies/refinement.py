@@ -9,7 +9,7 @@ from verification.catalogue import modules_of
 from verification.convergence import shipped_scenes
 from verification.problem import ACCURACY, OVER, Point, Problem, Reference, changes_model, is_setting, richardson
 from verification.records import Record
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 
 Lines = dict[str, list[tuple[float, float, str]]]
 """Knob -> (seconds, error, label) of each run that came through."""
@@ -36,14 +36,14 @@ class Study:
 
     def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
         self.problem = problem
-        self.runs: dict[str, dict[str, Run]] = {}
+        self.runs: dict[str, dict[str, SceneRun]] = {}
         for knob, settings in problem.knobs.items():
             tell(f"{problem.name}: {knob}, {len(settings)} settings")
             self.runs[knob] = {label: self._run(keys) for label, keys in settings.items()}
         self.references = self._references()
         self.records = [record for knob in self.runs for record in self._records(knob)]
 
-    def _run(self, keys: dict[str, Any]) -> Run:
+    def _run(self, keys: dict[str, Any]) -> SceneRun:
         return timed_run.run(self.problem.scene, self.problem.base | keys, timed=True)
 
     def _references(self) -> dict[str, Reference]:

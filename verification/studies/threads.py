@@ -7,18 +7,18 @@ import numpy as np
 from verification import timed_run
 from verification.html import page
 from verification.records import Record
-from verification.scene_runs import Run
+from verification.scene_runs import SceneRun
 from verification.studies.refinement import Study
 from verification.timed_run import THREADS
 
 
-def apart(runs: Mapping[str, Run]) -> dict[str, float]:
+def apart(runs: Mapping[str, SceneRun]) -> dict[str, float]:
     """Setting -> largest difference of any row from the first's, over the largest value of its kind; 0.0 if none."""
     first, *others = runs.items()
     return {label: _difference(first[1], one) for label, one in others}
 
 
-def _difference(one: Run, other: Run) -> float:
+def _difference(one: SceneRun, other: SceneRun) -> float:
     if not (one.ok and other.ok) or any(len(one.rows[key]) != len(other.rows[key]) for key in one.rows):
         return float("inf")
     worst = 0.0

@@ -11,14 +11,14 @@ from masonry import scene
 from masonry.pictures.camera import back_view, front_view
 from tests.results.sample import DEPTH, HEIGHT
 from tests.verification.paper.test_crack_paths import parted
-from verification.paper.bending.by_hand import Wall, edge_moment, wall_of
+from verification.paper.bending.by_hand import BentWall, edge_moment, wall_of
 from verification.paper.bending.crack import CRACKED, flexural_crack
 from verification.paper.bending.runs import ASSUMED, RATIOS, SCENES, STRENGTHS, WEAKER, strengths
 from verification.paper.bending.strength_map import even
 from verification.paper.experiment import Run
 from verification.paper.experiments import bending
 
-WALL = Wall(0.5e6, 1.5e6, 0.75e6, 0.12, 0.114, 0.45, 6)
+WALL = BentWall(0.5e6, 1.5e6, 0.75e6, 0.12, 0.114, 0.45, 6)
 
 
 def test_a_crack_goes_through_or_round_the_unit_in_every_other_course():
@@ -40,7 +40,7 @@ def test_the_moment_of_a_bed_joint_about_the_pressed_edge_is_the_integral_over_i
 
 def test_without_strength_in_tension_only_bed_joints_carry():
     """Torsion of a rectangle, stress growing with the distance from its middle: tau J / r."""
-    wall = Wall(0.0, 0.0, 1e6, 0.1, 0.1, 0.6, 6)
+    wall = BentWall(0.0, 0.0, 1e6, 0.1, 0.1, 0.6, 6)
     torsion = 1e6 * (0.1**4 / 6) / (0.1 / np.sqrt(2))
     assert wall.brittle((0, 5)) == pytest.approx(5 * torsion / (0.6 * 0.1**2 / 6))
     assert wall.bounds() == (0.0, 0.0)
@@ -55,7 +55,7 @@ def test_the_wall_of_a_scene_has_friction_under_its_pressure():
 @pytest.mark.parametrize("way", ["brittle", "plastic"])
 def test_on_the_line_of_the_map_both_cracks_carry_the_same(way):
     units = even(WALL, 0.4e6, way)
-    wall = Wall(0.4e6, units, 0.6e6, 0.12, 0.114, 0.45, 6)
+    wall = BentWall(0.4e6, units, 0.6e6, 0.12, 0.114, 0.45, 6)
     assert getattr(wall, way)((3, 0)) == pytest.approx(getattr(wall, way)((0, 5)))
 
 

@@ -23,7 +23,7 @@ from masonry.scene.tables.specimen import BendingSpec
 
 
 @dataclass(frozen=True)
-class Wall:
+class BentWall:
     """Strengths in Pa, lengths in m: of interfaces and units in tension, of a bed joint in shear; overlap, thickness,
     height; number of courses."""
 
@@ -66,12 +66,12 @@ class Wall:
         return (path[0] * self.units + (self.courses - path[0]) * self.interface) / self.courses
 
 
-def wall_of(scene: Scene) -> Wall:
+def wall_of(scene: Scene) -> BentWall:
     """The wall of a bending scene."""
     spec, joint, unit = bending_spec(scene), scene.contact["unit_unit"], scene.contact["within_units"]
     strengths = (joint.tensile_strength, unit.tensile_strength, joint.cohesion, joint.tan_friction)
     interface, units, cohesion, friction = (float(value or 0.0) for value in strengths)
-    return Wall(
+    return BentWall(
         interface,
         units,
         cohesion + friction * float(scene.confinement or 0.0),

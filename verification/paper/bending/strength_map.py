@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from masonry import scene
 from verification.html import page
 from verification.html.figures import COLOURS, sheet
-from verification.paper.bending.by_hand import Wall, bending_spec, wall_of
+from verification.paper.bending.by_hand import BentWall, bending_spec, wall_of
 from verification.paper.bending.crack import FlexuralCrack, flexural_crack
 from verification.paper.bending.runs import ASSUMED, SCENES, STRENGTHS, label, walls
 from verification.paper.experiment import Done
@@ -28,7 +28,7 @@ def crack_of(done: Done, name: str) -> FlexuralCrack:
     return flexural_crack(done[name], bending_spec(_scene(done, name)))
 
 
-def wall_by_hand(done: Done, name: str) -> Wall:
+def wall_by_hand(done: Done, name: str) -> BentWall:
     """The wall of a run, for estimates by hand."""
     return wall_of(_scene(done, name))
 
@@ -73,11 +73,11 @@ def picture(done: Done) -> Figure:
     return figure
 
 
-def even(wall: Wall, interface: float, behaviour: str) -> float:
+def even(wall: BentWall, interface: float, behaviour: str) -> float:
     """Strength (Pa) of units with which the stepped and the straight crack carry the same, by hand."""
     pressed = wall.shear - 1.5 * wall.interface
     tried = [
-        Wall(interface, units, 1.5 * interface + pressed, wall.overlap, wall.thickness, wall.height, wall.courses)
+        BentWall(interface, units, 1.5 * interface + pressed, wall.overlap, wall.thickness, wall.height, wall.courses)
         for units in (0.0, 1e6)
     ]
     straight, stepped = max(wall.paths()), min(wall.paths())
