@@ -1,6 +1,6 @@
 """What is looked at where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,8 +19,21 @@ DROPPED = 0.5
 THROUGH = 0.5
 """Of the least width of the thinner of two blocks: an overlap at which one has as far to go forward as back."""
 
-SQUEEZED = 0.8
-"""Least det F: below about that St Venant-Kirchhoff softens under pressure, and a block may turn inside out."""
+
+class LeftFloor(NamedTuple):
+    """The first block that left the floor, when (s), and how many blocks did."""
+
+    block: int
+    time: float
+    blocks: int
+
+
+class Strains(NamedTuple):
+    """The least det F and the longest stretch of any line; and that for which the stable time step is proven."""
+
+    least_volume: float
+    longest: float
+    proven: float
 
 
 class Collapse(Observer):
@@ -89,16 +102,8 @@ class Collapse(Observer):
 
     def found(self) -> dict[str, Any]:
         fallen = None if self.block < 0 else (self.block, self.step, self.energies)
-        return {"collapse": fallen, "left_floor": self._left_floor()}
-
-    def _left_floor(self) -> list[str]:
-        if self.first_left < 0:
-            return []
-        others = f", and {self.left - 1} more later" if self.left > 1 else ""
-        return [
-            f"block {self.first_left} had left the floor after {self.time_left:.3g} s{others}: what leaves it falls on "
-            "for ever, and its energy is counted; make the floor larger"
-        ]
+        left = None if self.first_left < 0 else LeftFloor(self.first_left, self.time_left, self.left)
+        return {"collapse": fallen, "left_floor": left}
 
 
 class LargestDeformation(Observer):
@@ -114,15 +119,4 @@ class LargestDeformation(Observer):
         return {}
 
     def found(self) -> dict[str, Any]:
-        words = []
-        if self.least < SQUEEZED:
-            words.append(
-                f"blocks are squeezed to {self.least:.2g} of their volume: below {SQUEEZED:g} their elastic law "
-                "(St Venant-Kirchhoff) is not to be trusted"
-            )
-        if self.longest > self.stretch:
-            words.append(
-                f"blocks are stretched by {self.longest:.3g}, more than the {self.stretch:g} that the stable time step "
-                "is proven for"
-            )
-        return {"deformation": words}
+        return {"deformation": Strains(self.least, self.longest, self.stretch)}

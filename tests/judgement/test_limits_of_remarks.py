@@ -11,8 +11,9 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.checks import rocking as may_rock
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.runs import blow, closed_joints, rocking, turned_beds, unrest
+from masonry.laboratory.remarks.runs import blow, closed_joints, left_floor, rocking, turned_beds, unrest
 from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
+from masonry.monitors.collapse import LeftFloor
 from masonry.scene import load
 from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
 from tests.large.made import slab
@@ -228,6 +229,13 @@ def test_a_time_step_above_its_proven_bound_is_told(share, told):
     assembly = assemble(load("couplet"))
     model = replace(assembly.model, dt=share * assembly.model.bound)
     assert said(time_step.doubts(replace(assembly, model=model)), "above the proven bound") == told
+
+
+@pytest.mark.parametrize(("blocks", "others"), [(1, ""), (3, ", and 2 more later")])
+def test_blocks_that_left_the_floor_are_told_with_the_first_of_them_and_how_many_followed(blocks, others):
+    run = inspected(None, found={"left_floor": LeftFloor(4, 0.25, blocks)})
+    assert said(left_floor.doubts(run), f"block 4 had left the floor after 0.25 s{others}: what leaves it falls on")
+    assert not left_floor.doubts(inspected(None, found={"left_floor": None}))
 
 
 def glued(**contact: str):

@@ -64,7 +64,7 @@ def test_a_block_that_slides_off_the_floor_is_told_and_falls_on():
     block = box("block", (-half, -half, 0.0), (2.0 * half, 2.0 * half, half), "units", 0)
     result = laboratory.run(dry([block], 0.2, leaning(40.0), 0.5, supports=(), more=met[0.2]))
     (remark,) = [words for words in result.summary["warnings"] if "left the floor" in words]
-    assert remark in trust(result.summary)
+    assert remark.partition(";")[0] in trust(result.summary)
     match = re.search(r"block 0 had left the floor after ([\d.]+) s: what leaves it falls on", remark)
     assert match is not None
     pace = G * (sin(radians(40.0)) - 0.2 * cos(radians(40.0)))

@@ -11,6 +11,7 @@ from masonry.configuration import model_state
 from masonry.configuration.chunk import Chunk
 from masonry.laboratory import laboratory
 from masonry.monitors.collapse import LargestDeformation
+from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.monitors.observer import View
 from masonry.timeloop.compiled_step import advance_model
 from tests.large.made import DENSITY, G, leaning, slab
@@ -204,9 +205,9 @@ def test_a_block_that_is_squeezed_or_stretched_too_far_is_told():
     look = LargestDeformation(1.02)
     for least, longest in ((0.99, 1.01), (0.75, 1.01), (0.9, 1.3)):
         look.look(None, View(None, least=least, longest=longest), 0)
-    squeezed, stretched = look.found()["deformation"]
+    squeezed, stretched = (doubt.sentence for doubt in of_strains(look.found()["deformation"]))
     assert squeezed.startswith("blocks are squeezed to 0.75 of their volume: below 0.8")
     assert stretched.startswith("blocks are stretched by 1.3, more than the 1.02")
     calm = LargestDeformation(1.02)
     calm.look(None, View(None, least=0.99, longest=1.01), 0)
-    assert calm.found()["deformation"] == []
+    assert of_strains(calm.found()["deformation"]) == []

@@ -2,8 +2,17 @@
 
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.monitors.collapse import LeftFloor
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
-    return [Doubt("left_floor", None, None, line) for line in inspection.outcome.found.get("left_floor", [])]
+    left: LeftFloor | None = inspection.outcome.found.get("left_floor")
+    if left is None:
+        return []
+    others = f", and {left.blocks - 1} more later" if left.blocks > 1 else ""
+    sentence = (
+        f"block {left.block} had left the floor after {left.time:.3g} s{others}: what leaves it falls on for ever, and "
+        "its energy is counted"
+    )
+    return [Doubt("left_floor", None, None, sentence, "make the floor larger")]
