@@ -10,8 +10,8 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration import model_state
 from masonry.configuration.chunk import Chunk
 from masonry.laboratory import laboratory
-from masonry.monitors.collapse import LargestDeformation
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
+from masonry.monitors.collapse import LargestDeformation
 from masonry.monitors.observer import View
 from masonry.timeloop.compiled_step import advance_model
 from tests.large.made import DENSITY, G, leaning, slab

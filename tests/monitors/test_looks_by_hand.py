@@ -12,9 +12,9 @@ from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
 from masonry.configuration.parts.affine import AffinePart, DeformingPart
 from masonry.errors import Stopped, TurnedTooFar
+from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND
 from masonry.monitors.collapse import Collapse, LargestDeformation
-from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by
