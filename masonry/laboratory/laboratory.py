@@ -19,6 +19,7 @@ from masonry.laboratory.settling import settled
 from masonry.laboratory.summary.provenance import provenance_of
 from masonry.laboratory.summary.summary import add_tilt, summarise
 from masonry.laws.dispatch import word_of
+from masonry.results.data import properties_by_group
 from masonry.results.joint_resultants import resultants
 from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import Scene, to_toml
@@ -79,6 +80,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
         joints=assembly.joints,
         joint_group=assembly.model.group,
         joint_groups=assembly.model.group_names,
+        joint_properties=properties_by_group(assembly.model.groups.properties),
         mesh=assembly.mesh,
         scene_toml=to_toml(assembly.scene),
         log=[

@@ -1,8 +1,8 @@
 """history.h5: the rows, the frames and the specimen of a run, enough to draw its pictures again.
 
 Layout: `rows/<column>` with attribute `unit`; `frames/<field of Frame>` with one entry a frame; `specimen`, `joints`
-and (with tets) `mesh` with the fields of the geometry floor. h5py's default file version, which survives a killed
-process.
+and (with tets) `mesh` with the fields of the geometry floor; attributes of `joints/properties`, an array with a number
+for each contact group. h5py's default file version, which survives a killed process.
 """
 
 from dataclasses import fields
@@ -57,6 +57,9 @@ def write(path: Path, result: "ResultData") -> None:
         _write_arrays(joints, result.joints)
         joints.attrs["groups"] = list(result.joint_groups)
         joints.create_dataset("group", data=result.joint_group)
+        properties = joints.create_group("properties")
+        for name, values in result.joint_properties.items():
+            properties.attrs[name] = values
         if result.mesh is not None:
             _write_arrays(file.create_group("mesh"), result.mesh)
 
@@ -84,12 +87,19 @@ def read(path: Path) -> dict[str, Any]:
             "joints": _read_arrays(file["joints"], Joints),
             "joint_group": file["joints"]["group"][()],
             "joint_groups": tuple(str(name) for name in file["joints"].attrs["groups"]),
+            "joint_properties": _joint_properties(file["joints"]),
             "mesh": _read_arrays(file["mesh"], TetMesh) if "mesh" in file else None,
             "scene_toml": file["scene"].asstr()[()],
             "log": list(file["log"].asstr()[()]),
         }
     require_whole_result(**found)
     return found
+
+
+def _joint_properties(joints: Any) -> dict[str, np.ndarray]:
+    """By name; none in the file of an older version."""
+    attributes = joints["properties"].attrs if "properties" in joints else {}
+    return {str(name): np.asarray(values) for name, values in attributes.items()}
 
 
 def _write_arrays(group: Any, value: Blocks | Joints | TetMesh) -> None:

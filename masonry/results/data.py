@@ -1,5 +1,6 @@
 """The result of a run as data: its summary, history and specimen."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
@@ -11,6 +12,7 @@ from masonry.judgement.doubt import Doubt
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
+from masonry.laws.state import JointProperties
 from masonry.results.summary import Summary
 from masonry.results.table import table_of
 from masonry.rows.history import History
@@ -29,12 +31,23 @@ class Peak(NamedTuple):
     stress: float
 
 
+def properties_by_group(groups: Sequence[JointProperties]) -> dict[str, np.ndarray]:
+    """The joint properties of a result."""
+    by_name = {name: [getattr(joint, name) for joint in groups] for name in JointProperties._fields}
+    return {
+        name: np.array([np.nan if value is None else float(np.mean(value)) for value in values])
+        for name, values in by_name.items()
+    }
+
+
 @dataclass(repr=False)
 class ResultData:
     """What a run leaves behind.
 
     summary       numbers and words of summary.json; a table of them becomes one
     joint_group   (C,) index into joint_groups, the contact group of each contact point
+    joint_properties  (G,) SI by the names of JointProperties, of each contact group: the mean where it scatters, nan
+                  where a law has none; empty in a result of an older version
     mesh          tets, None where every block is rigid or affine
     scene_toml    the resolved scene: enough to run it again
     log           what the run had to say, one sentence each
@@ -51,6 +64,7 @@ class ResultData:
     scene_toml: str = ""
     log: list[str] = field(default_factory=list)
     resultants: dict[str, np.ndarray] = field(default_factory=dict)
+    joint_properties: dict[str, np.ndarray] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not isinstance(self.summary, Summary):

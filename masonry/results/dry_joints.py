@@ -70,10 +70,16 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _stiffness(result: "ResultData", key: str) -> np.ndarray:
-    """(C,) Pa/m of the resolved scene, by contact; not a number where it does not say."""
+    """(C,) Pa/m by contact; not a number where an older result does not say."""
+    known = result.joint_properties.get(key)
+    return (_by_scene(result, key) if known is None else known)[result.joint_group]
+
+
+def _by_scene(result: "ResultData", key: str) -> np.ndarray:
+    """(G,) Pa/m by contact group, from the text of the scene, as an older version has kept it alone."""
     try:
-        groups = result.scene_table.get("contact", {})
-        known = [convert(groups[name][key], "stiffness", key) for name in result.joint_groups]
+        contact = result.scene_table.get("contact", {})
+        groups = [contact[name if name in contact else "default"] for name in result.joint_groups]
+        return np.array([convert(group[key], "stiffness", key) for group in groups])
     except (ValueError, KeyError, TypeError, AttributeError):
-        return np.full(len(result.joint_group), np.nan)
-    return np.array(known)[result.joint_group]
+        return np.full(len(result.joint_groups), np.nan)

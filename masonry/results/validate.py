@@ -22,6 +22,7 @@ def require_whole_result(
     joints: Joints,
     joint_group: np.ndarray,
     joint_groups: tuple[str, ...],
+    joint_properties: dict[str, np.ndarray],
     mesh: TetMesh | None,
     **words: Any,
 ) -> None:
@@ -36,6 +37,8 @@ def require_whole_result(
         _require(f"set '{name}'", members, (len(members) if np.ndim(members) == 1 else None,), "i", blocks.count)
     _require_rows(history.rows)
     _require_joints(blocks, joints, 0 if mesh is None else len(mesh.nodes))
+    for name, values in joint_properties.items():
+        _require(f"joints/properties/{name}", np.nan_to_num(values), (len(joint_groups),), "f")
     contacts = len(joints.area)
     _require("joints/group", joint_group, (contacts,), "i", len(joint_groups))
     shapes: dict[str, tuple[int, ...]] = {name: (contacts,) for name in PER_CONTACT}
