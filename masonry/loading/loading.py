@@ -7,11 +7,13 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
+from masonry.kinematics.motion import Guided
 from masonry.monitors.events import Event
 from masonry.runtime.state import Remembering
 
 Arrays = dict[str, np.ndarray]
 Rows = dict[str, np.ndarray]
+Damping = float | Guided | None
 
 
 class Expected(NamedTuple):
@@ -35,9 +37,9 @@ class LoadingOutcome:
         """How the load was controlled: what was asked for, and what was reached."""
         return {}
 
-    def summary(self, rows: Rows, sets: dict[str, np.ndarray]) -> dict[str, Any]:
-        """Keys of the summary that only such a loading has; sets: numbers of blocks, by name."""
-        return {}
+    def collapse_load(self, rows: Rows, sets: dict[str, np.ndarray]) -> dict[str, Any] | None:
+        """Of a load that was to collapse; None of others. sets: numbers of blocks, by name"""
+        return None
 
 
 class Loading(Remembering, ABC):

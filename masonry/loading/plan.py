@@ -1,11 +1,11 @@
 """The plan of a load, which answers for its kind. Each plan stands in one file with its loading."""
 
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from masonry.loading.loading import Expected, Loading
+from masonry.loading.loading import Damping, Expected, Loading
 from masonry.loading.scheduled import Program
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
@@ -56,7 +56,7 @@ class Plan(Protocol):
         """The plan of the dead loads alone, as long as they settle."""
         ...
 
-    def settling_damping(self, damping: Any) -> Any:
+    def settling_damping(self, damping: Damping) -> Damping:
         """The damping of a model (as of Model.damping) while its dead loads are tried alone."""
         ...
 
@@ -105,6 +105,6 @@ class PacedPlan:
         varying = np.zeros((self.varies, self.settle + 1)) if self.varies else None
         return Program(self.dead_load, np.zeros(self.settle + 1), self.settle, 0, varying, layers=self.layers)
 
-    def settling_damping(self, damping: Any) -> Any:
+    def settling_damping(self, damping: Damping) -> Damping:
         """As it is in the run."""
         return damping

@@ -1,14 +1,13 @@
 """A program that is fixed beforehand, step by step: the plan, and how a run advances along it."""
 
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.loading.crack_watch import CrackWatch
-from masonry.loading.loading import Expected, Loading
+from masonry.loading.loading import Damping, Expected, Loading
 from masonry.loading.varying_loads import VaryingLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
@@ -80,7 +79,7 @@ class Program:
         varying = None if self.varying is None else self.varying[:, :count]
         return Program(self.dead_load[:count], np.zeros(count), self.settle, 0, varying, layers=self.layers)
 
-    def settling_damping(self, damping: Any) -> Any:
+    def settling_damping(self, damping: Damping) -> Damping:
         """The damping of a model, while its dead loads are tried."""
         return damping
 

@@ -26,7 +26,7 @@ def motion(assembly: Assembly, outcome: Outcome) -> Motion:
         met=outcome.found.get("met", ""),
         in_real_time=not assembly.model.scaled if large else None,
         collapse=_collapse(assembly, outcome) if large else None,
-        collapse_load=outcome.loading.summary(outcome.history.rows, assembly.specimen.sets).get("collapse_load"),
+        collapse_load=outcome.loading.collapse_load(outcome.history.rows, assembly.specimen.sets),
     )
 
 

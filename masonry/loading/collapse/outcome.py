@@ -72,11 +72,11 @@ class CollapseOutcome(LoadingOutcome):
             "swayed": self.swayed,
         }
 
-    def summary(self, rows: Rows, sets: dict[str, np.ndarray]) -> dict[str, Any]:
-        """The collapse load, and who moves then."""
+    def collapse_load(self, rows: Rows, sets: dict[str, np.ndarray]) -> dict[str, Any]:
+        """The factors, and who moves then."""
         first = int(self.mechanism.argmax())
         loops = {"gauge": self.loops_over, "history": list(self.path.reversals), "leg": self.leg}
-        collapse_load = {
+        return {
             "pattern": self.pattern,
             "borne": self.borne,
             "falls": self.falls,
@@ -92,4 +92,3 @@ class CollapseOutcome(LoadingOutcome):
             **({} if self.branch is None else {"branch": self.branch.summary(rows)}),
             **({"loops": loops} if self.path.reversals else {}),
         }
-        return {"collapse_load": collapse_load}
