@@ -1,7 +1,7 @@
 """The units that a scene may name: exact factors to SI, and the powers of m, kg and s that they stand for.
 
 >>> measure("kN/m^3")
-Measure(factor=Fraction(1000, 1), powers=(-2, 1, -2))
+UnitInSI(factor=Fraction(1000, 1), powers=(-2, 1, -2))
 """
 
 import re
