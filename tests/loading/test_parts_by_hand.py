@@ -10,6 +10,7 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration import energy
 from masonry.configuration.energy import Seen
 from masonry.loading import crack_watch, scheduled
+from masonry.loading.collapse import phases
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing_settings import GROWING
@@ -180,6 +181,34 @@ def test_a_drift_is_told_from_a_swing_by_the_masses_and_the_swing_alone_is_brake
     body.q[...] = 2.0 * swing
     drift.look(model)
     assert drift.moved["rigid"] == pytest.approx(0.9 * mechanism + 2.0 * swing)
+
+
+@pytest.mark.parametrize(
+    ("narrow", "can_lead", "goes_on", "phase", "is_put_back"),
+    [
+        (False, False, True, "rising", True),
+        (False, False, False, "end", True),
+        (True, True, True, "leading", True),
+        (True, False, True, "dropping", False),
+    ],
+)
+def test_what_is_not_borne_is_tried_again_from_the_last_rest_until_the_factor_is_enclosed(
+    narrow, can_lead, goes_on, phase, is_put_back
+):
+    calls = []
+    trials = SimpleNamespace(
+        settings=GROWING,
+        freely=False,
+        travels=SimpleNamespace(size=0.1),
+        branch=object(),
+        enclosing=SimpleNamespace(is_narrow=narrow, go_on=lambda: goes_on),
+        fail=lambda turning: calls.append("fail"),
+        can_lead=lambda: can_lead,
+        put_back=lambda: calls.append("put back"),
+        begin=lambda: calls.append("begin"),
+    )
+    assert phases.not_borne(trials).name == phase
+    assert ("put back" in calls) == is_put_back and ("begin" in calls) == (phase == "rising")
 
 
 def gathering(travels: list[float]) -> list[bool]:

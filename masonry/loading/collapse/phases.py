@@ -1,9 +1,14 @@
-"""The phases of a load that grows. Each says what the load does in its chunks, and which phase follows from a look.
+"""The phases of a load that grows. Each says what the load does in its chunks, and which phase follows from a look:
 
-settling -> rising -> waiting -> showing -> rising ...     the dead loads; a trial that is borne, and the next one
-                 \\__________\\-> rising, from the last rest  a trial that is not borne, until the factor is enclosed
-                              \\-> dropping -> end            then the fall is followed, to show who moves,
-                               \\-> leading -> end            or a gauge is led on behind the collapse
+settling   the dead loads settle                          then rising
+rising     the factor goes to the one that is tried       then waiting, unless the specimen falls already
+waiting    the factor stays, the specimen is watched      then showing, unless it falls or takes too long
+showing    a row shows the rest                           then rising to the next factor, or the end
+dropping   the fall is followed, to show who moves        then the end
+leading    a gauge is led on behind the collapse          then the end
+
+Where the specimen falls, the model goes back to its last rest, and rising begins again by half as much, until the
+factor is enclosed as narrowly as was asked for: then leading follows, where the scene names a gauge, else dropping.
 """
 
 from abc import ABC, abstractmethod
