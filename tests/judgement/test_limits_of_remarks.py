@@ -1,7 +1,7 @@
 """The limits of what is said of contacts, meshes and turns: asked a hundredth below and a hundredth above each."""
 
 from dataclasses import replace
-from math import sqrt
+from math import inf, sqrt
 from types import SimpleNamespace
 
 import numpy as np
@@ -183,13 +183,12 @@ def test_a_fracture_energy_may_hold_a_joint_over_an_opening_of_a_block(share, to
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin_is_told_in_mm(share, told):
     given, joint = SimpleNamespace(dilation_cutoff=None), SimpleNamespace(dilation_cutoff=share * 2e-3)
-    doubts = dilation.of_group("bed", given, joint, 2e-3, None)
+    doubts = dilation.of_group("bed", given, joint, 2e-3, inf)
     assert (
         said(doubts, "within the drive's 2 mm: by its fracture energy the cohesion is gone at a slip of 2.02 mm")
         == told
     )
-    skin = SimpleNamespace(near=SimpleNamespace(search=SimpleNamespace(skin=np.array([2e-3]))))
-    doubts = dilation.of_group("bed", given, joint, 1.0, skin)
+    doubts = dilation.of_group("bed", given, joint, 1.0, 2e-3)
     assert said(doubts, "faces without strength that have slid 2 mm are detected anew") == told
 
 
