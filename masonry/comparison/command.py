@@ -56,17 +56,17 @@ def main(arguments: list[str] | None = None) -> int:
         print(_listing(loaded, only, words.quick))
         return OK
     try:
-        found = sensitivity(
+        study = sensitivity(
             loaded, words.out, only, words.quick, words.workers, None if words.quiet else tell, words.overwrite
         )
     except KeyboardInterrupt as ended:
         tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
         return code_of(ended)
     if not words.quiet:
-        print(f"{found}\n")
-        print("\n".join(visible(f"{found.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))
-    if found.rows[0]["status"] != "OK":
-        tell(f"masonry: the scene as it is: {found.rows[0]['trust_sentence']}")
+        print(f"{study}\n")
+        print("\n".join(visible(f"{study.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))
+    if study.rows[0]["status"] != "OK":
+        tell(f"masonry: the scene as it is: {study.rows[0]['trust_sentence']}")
         return STOPPED
     return OK
 

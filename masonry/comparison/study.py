@@ -61,10 +61,10 @@ def study(
     """
     jobs = [Job(folder / SCENE, variant.settings, variant.name) for variant in chosen]
     ended = run_alone(jobs, folder, workers, tell)
-    found = [_row(variant, row, folder) for variant, row in zip(chosen, ended, strict=True)]
-    for row in found:
-        row |= _deviations(row, found[0])
-    return found
+    rows = [_row(variant, row, folder) for variant, row in zip(chosen, ended, strict=True)]
+    for row in rows:
+        row |= _deviations(row, rows[0])
+    return rows
 
 
 def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
@@ -102,12 +102,12 @@ def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | 
     largest: dict[str, float] = {}
     for figure in FIGURES:
         largest[figure.unit] = max(largest.get(figure.unit, 0.0), abs(base[figure.key] or 0.0))
-    found: dict[str, float | None] = {}
+    deviations: dict[str, float | None] = {}
     for figure in FIGURES:
         here, there = row[figure.key], base[figure.key]
-        told = None not in (here, there) and abs(there) > NOTHING * largest[figure.unit]
-        found[f"{figure.key}_deviation"] = here / there - 1.0 if told else None
-    return found
+        comparable = None not in (here, there) and abs(there) > NOTHING * largest[figure.unit]
+        deviations[f"{figure.key}_deviation"] = here / there - 1.0 if comparable else None
+    return deviations
 
 
 def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path = RESULTS) -> Path:

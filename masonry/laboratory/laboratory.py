@@ -139,8 +139,8 @@ def meeting_text(assembly: Assembly) -> str:
     large = assembly.model.large
     if large is None:
         return ""
-    count, held = candidates(large), int(large.near.search.alive.sum())
-    bonded = f" ({held} that bonds hold {_are(held)} left out)" if held else ""
+    count, bonds = candidates(large), int(large.near.search.alive.sum())
+    bonded = f" ({bonds} that bonds hold {_are(bonds)} left out)" if bonds else ""
     return (
         f"{count} pair{'s' * (count != 1)} of {len(large.near.pieces.body)} convex pieces {_are(count)} near enough to "
         f"be looked at{bonded}; neighbours are found anew when two blocks may have come nearer by the skin of "

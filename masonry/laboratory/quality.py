@@ -8,17 +8,17 @@ from masonry.assembly.assemble import Assembly
 
 def quality_lines(assembly: Assembly) -> dict[str, str]:
     """A sentence for each measure, by its name; h is the edge of a cube of the mean volume of a group's blocks."""
-    found = quality(assembly.specimen.blocks, assembly.joints, assembly.mesh)
+    worst = quality(assembly.specimen.blocks, assembly.joints, assembly.mesh)
     lines = {
-        "shortest edge": _sentence(assembly, found.shortest_edge, 1e3, "mm", " h"),
-        "smallest block": _sentence(assembly, found.smallest_block, 1e6, "cm3", " of its group's mean"),
+        "shortest edge": _sentence(assembly, worst.shortest_edge, 1e3, "mm", " h"),
+        "smallest block": _sentence(assembly, worst.smallest_block, 1e6, "cm3", " of its group's mean"),
     }
-    if found.shortest_joint_edge and found.smallest_joint:
-        lines["shortest joint edge"] = _sentence(assembly, found.shortest_joint_edge, 1e3, "mm", " h")
-        lines["smallest joint"] = _sentence(assembly, found.smallest_joint, 1e6, "mm2", " h2")
-    if found.flattest_tet:
-        where = _where(assembly, found.flattest_tet.blocks)
-        lines["flattest tet"] = f"radius ratio {found.flattest_tet.value:.3g} (regular: 1), {where}"
+    if worst.shortest_joint_edge and worst.smallest_joint:
+        lines["shortest joint edge"] = _sentence(assembly, worst.shortest_joint_edge, 1e3, "mm", " h")
+        lines["smallest joint"] = _sentence(assembly, worst.smallest_joint, 1e6, "mm2", " h2")
+    if worst.flattest_tet:
+        where = _where(assembly, worst.flattest_tet.blocks)
+        lines["flattest tet"] = f"radius ratio {worst.flattest_tet.value:.3g} (regular: 1), {where}"
     joints = assembly.joints
     ignored = (
         [f"{joints.dropped} pairs of faces meet in a line or a corner only, as they should"] if joints.dropped else []

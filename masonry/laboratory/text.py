@@ -195,7 +195,7 @@ def _first_to_fall(fallen: FirstFall) -> str:
     what += f"{fallen.time_s:.4g} s"
     if (began := fallen.began) is None:
         return f"{what}; when the fall began is not known: {fallen.began_unknown}" if fallen.began_unknown else what
-    late = "; it falls at a smaller tilt already, as gravity turned on while the fall gathered way"
+    late = "; it falls at a smaller tilt already, as gravity turned on while the fall gained speed"
     tilt = "" if began.tilt_rad is None else f", with gravity turned by {tilt_text(began.tilt_rad)}{late}"
     drive = f", with the drive at {1e3 * began.displacement_m:.4g} mm" if began.displacement_m else ""
     loads = "".join(f", with {name} at {share:.4g} of its value" for name, share in (began.loads or {}).items())
@@ -210,7 +210,7 @@ def factor_text(grown: dict[str, Any], interrupted: bool) -> list[str]:
     leg = leg_text(loops) if loops else ""
     if falls is None and loops and not interrupted:
         points = [f"{factor:g}" for factor in loops["history"]]
-        return [f"borne on all of its way, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
+        return [f"borne along its whole path, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
     if falls is None:
         ends = "the run was interrupted here" if interrupted else "the load ends here (limit.up_to)"
         return [f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]

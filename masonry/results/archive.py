@@ -76,7 +76,7 @@ def read(path: Path) -> dict[str, Any]:
             raise ValueError("not a history that this version can read")
         specimen = file["specimen"]
         sets = sorted(specimen["sets"].items(), key=lambda item: int(item[0]))
-        found = {
+        parts = {
             "history": History({name: data[()] for name, data in file["rows"].items()}, _read_frames(file["frames"])),
             "specimen": Specimen(
                 blocks=_read_arrays(specimen["blocks"], Blocks),
@@ -92,8 +92,8 @@ def read(path: Path) -> dict[str, Any]:
             "scene_toml": file["scene"].asstr()[()],
             "log": list(file["log"].asstr()[()]),
         }
-    require_whole_result(**found)
-    return found
+    require_whole_result(**parts)
+    return parts
 
 
 def _joint_properties(joints: Any) -> dict[str, np.ndarray]:

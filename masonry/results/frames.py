@@ -54,15 +54,15 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     name = moment(result, frame) if result.in_real_time else f"at step {frame.step}"
     if abs(of_frames[chosen] - wanted) <= exact:
         return Chosen(frame, name)
-    moved = np.array([kept.displacement for kept in frames])
+    moved = np.array([frame.displacement for frame in frames])
     words = [f"step {frame.step}", *([moment(result, frame)] if result.in_real_time else [])]
     words += [f"displacement {without_noise(frame.displacement, moved) * 1e3:.4g} mm"] if result.has_drive else []
     note = (
         f"no frame was kept at '{step}'; the nearest of {len(frames)} is drawn: {', '.join(words)} "
         "(a run keeps more with --set solver.frames=100)"
     )
-    asked = f"step {step}" if result.in_real_time and str(step).strip().isdecimal() else step
-    return Chosen(frame, f"{name}, the nearest kept to {asked}", note)
+    target = f"step {step}" if result.in_real_time and str(step).strip().isdecimal() else step
+    return Chosen(frame, f"{name}, the nearest kept to {target}", note)
 
 
 def moment(result: "ResultData", frame: Frame) -> str:
@@ -142,10 +142,10 @@ def _quantity(text: str, kind: str) -> float | None:
 
 def _allowed(result: "ResultData") -> str:
     """What may be asked for, in words."""
-    found = [*WORDS, "the number of a step"]
-    found += ["a displacement such as '0.05 mm'"] if result.has_drive else []
-    found += ["a time such as '1.2 s'"] if result.in_real_time else []
-    return f"{', '.join(found[:-1])}, or {found[-1]}"
+    choices = [*WORDS, "the number of a step"]
+    choices += ["a displacement such as '0.05 mm'"] if result.has_drive else []
+    choices += ["a time such as '1.2 s'"] if result.in_real_time else []
+    return f"{', '.join(choices[:-1])}, or {choices[-1]}"
 
 
 def without_noise(value: float, values: np.ndarray) -> float:

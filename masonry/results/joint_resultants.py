@@ -62,12 +62,12 @@ def resultants(blocks: Blocks, joints: Joints, standings: Mapping[str, "Standing
     far that lies from the middle of the joint, over how far the joint reaches in that direction: 1 at the edge. Both
     are nan where no normal force acts.
     """
-    found = unit_joints(blocks, joints)
+    between = unit_joints(blocks, joints)
     rows: dict[str, list[object]] = {"moment": [], **{name: [] for name in COLUMNS}}
     for moment, standing in standings.items():
-        for j, units in enumerate(found.units):
-            contacts = found.contact[found.start[j] : found.start[j + 1]]
-            row = _row(joints, contacts, found.sign[contacts], standing.force)
+        for j, units in enumerate(between.units):
+            contacts = between.contact[between.start[j] : between.start[j + 1]]
+            row = _row(joints, contacts, between.sign[contacts], standing.force)
             for name, value in zip(rows, [moment, *units, *row], strict=True):
                 rows[name].append(value)
     return {name: np.array(values) for name, values in rows.items()}

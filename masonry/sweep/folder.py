@@ -44,10 +44,10 @@ def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:
 
 
 def _leaves(table: dict[str, Any], above: tuple[str, ...] = ()) -> list[tuple[tuple[str, ...], Any]]:
-    found: list[tuple[tuple[str, ...], Any]] = []
+    leaves: list[tuple[tuple[str, ...], Any]] = []
     for key, value in table.items():
-        found += _leaves(value, (*above, key)) if isinstance(value, dict) else [((*above, key), value)]
-    return found
+        leaves += _leaves(value, (*above, key)) if isinstance(value, dict) else [((*above, key), value)]
+    return leaves
 
 
 def _short(value: Any) -> str:

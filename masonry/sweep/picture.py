@@ -70,8 +70,8 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
         return first, varied[first]
     if len(together) > FEW:
         return f"{first} (other keys vary too)", varied[first]
-    given = dict.fromkeys(key for run in planned for key in run.values)
-    keys = [key for key in given if len({str(row.get(key)) for row in rows}) > 1]
+    varied_keys = dict.fromkeys(key for run in planned for key in run.values)
+    keys = [key for key in varied_keys if len({str(row.get(key)) for row in rows}) > 1]
     return ", ".join(keys), [", ".join(str(row.get(key)) for key in keys) for row in rows]
 
 

@@ -33,14 +33,14 @@ def plan(sweep: Sweep) -> list[Planned]:
     base = _Base(sweep)
     for point in table[:1] + [row for row in table if set(row) != set(table[0])]:
         base.check_groups(point)
-    found = []
+    runs = []
     for number, point in enumerate(table):
         try:
-            found.append(base.planned(point))
+            runs.append(base.planned(point))
         except SceneError as error:
             run = f", run {number + 1} of {len(table)}" if len(table) > 1 else ""
             raise error.within(f"{sweep.name}{run}", "--set ") from None
-    return found
+    return runs
 
 
 def listing(planned: Sequence[Planned]) -> str:
@@ -69,10 +69,10 @@ class _Base:
                 raise SceneError(f"{self.sweep.name}: {key}: no group '{group}' in this scene; {nearest(group, known)}")
 
     def planned(self, point: Mapping[str, Any]) -> Planned:
-        given = self.relative | dict(point)
-        plain = {key: value for key, value in given.items() if not isinstance(value, Times)}
-        of_itself = {k: v for k, v in given.items() if isinstance(v, Times) and v.of is None}
-        of_another = {k: v for k, v in given.items() if isinstance(v, Times) and v.of is not None}
+        settings = self.relative | dict(point)
+        plain = {key: value for key, value in settings.items() if not isinstance(value, Times)}
+        of_itself = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of is None}
+        of_another = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of is not None}
         if of_itself:
             if self.scene is None:
                 self.scene = tomllib.loads(Job(self.sweep.scene, self.fixed).resolved)
@@ -85,10 +85,10 @@ class _Base:
                     raise SceneError(f"{key}: of {value.of}, which itself follows another key; name that key")
                 here = known if value.of in known else tomllib.loads(Job(self.sweep.scene, known).resolved)
                 plain[key] = _scaled(here, key, value.of, value.factor)
-        values = {key: plain[key] for key in given}
+        values = {key: plain[key] for key in settings}
         job = Job(self.sweep.scene, self.fixed | values)
         job.key()
-        return Planned(job, values, {k: v.factor for k, v in given.items() if isinstance(v, Times)})
+        return Planned(job, values, {k: v.factor for k, v in settings.items() if isinstance(v, Times)})
 
 
 def _scaled(scene: dict[str, Any], key: str, of: str, factor: float) -> Any:

@@ -20,8 +20,8 @@ def points(sweep: Sweep) -> list[Point]:
     Raises SceneError for a table that cannot be read, or for more than MOST runs.
     """
     axes: list[list[Point]] = [sweep.parts["list"]] if "list" in sweep.parts else []
-    for key, given in sweep.parts.get("grid", {}).items():
-        axes.append([{key: value} for value in _grid_values(given, f"{sweep.name}: grid: {key}")])
+    for key, entry in sweep.parts.get("grid", {}).items():
+        axes.append([{key: value} for value in _grid_values(entry, f"{sweep.name}: grid: {key}")])
     if "latin_hypercube" in sweep.parts:
         axes.append(_samples(sweep.parts["latin_hypercube"], f"{sweep.name}: latin_hypercube"))
     count = math.prod(map(len, axes))
@@ -32,12 +32,12 @@ def points(sweep: Sweep) -> list[Point]:
     return [{key: value for part in parts for key, value in part.items()} for parts in itertools.product(*axes)]
 
 
-def _grid_values(given: Any, where: str) -> list[Any]:
+def _grid_values(entry: Any, where: str) -> list[Any]:
     """`[a, b]` or `{times = [0.5, 2]}`, with `of` if need be."""
-    if isinstance(given, list) and given:
-        return [value_of(value, where) for value in given]
-    if isinstance(given, dict) and isinstance(given.get("times"), list) and given["times"]:
-        return [value_of(given | {"times": factor}, where) for factor in given["times"]]
+    if isinstance(entry, list) and entry:
+        return [value_of(value, where) for value in entry]
+    if isinstance(entry, dict) and isinstance(entry.get("times"), list) and entry["times"]:
+        return [value_of(entry | {"times": factor}, where) for factor in entry["times"]]
     raise SceneError(
         f"{where}: must be a list of values, or {{times = [0.5, 1, 2]}}; dotted keys stand in quotes, "
         "'contact.unit_unit.cohesion' = [...]"
@@ -52,7 +52,7 @@ def _samples(table: dict[str, Any], where: str) -> list[Point]:
 
     count = _whole(table.get("samples"), f"{where}: samples", 1, MOST)
     seed = _whole(table.get("seed", 1), f"{where}: seed", 0, 2**63)
-    axes = {key: _axis(given, f"{where}: {key}") for key, given in table.items() if key not in ("samples", "seed")}
+    axes = {key: _axis(entry, f"{where}: {key}") for key, entry in table.items() if key not in ("samples", "seed")}
     if not axes:
         raise SceneError(f"{where}: no dotted key; {RANGE}")
     _require_few(count * len(axes), where)
@@ -60,24 +60,24 @@ def _samples(table: dict[str, Any], where: str) -> list[Point]:
     return [{key: axes[key](place) for key, place in zip(axes, row, strict=True)} for row in places.tolist()]
 
 
-def _axis(given: Any, where: str) -> Any:
+def _axis(entry: Any, where: str) -> Any:
     """A function from a place in [0, 1) to a value of this axis."""
-    if not isinstance(given, dict):
+    if not isinstance(entry, dict):
         raise SceneError(f"{where}: {RANGE}")
-    if isinstance(given.get("times"), dict):
-        factor = _axis(given["times"], f"{where}: times")
-        return lambda place: value_of(given | {"times": factor(place)}, where)
-    if isinstance(given.get("values"), list) and given["values"] and len(given) == 1:
-        values = given["values"]
+    if isinstance(entry.get("times"), dict):
+        factor = _axis(entry["times"], f"{where}: times")
+        return lambda place: value_of(entry | {"times": factor(place)}, where)
+    if isinstance(entry.get("values"), list) and entry["values"] and len(entry) == 1:
+        values = entry["values"]
         return lambda place: value_of(values[int(place * len(values))], where)
-    for word in given:
+    for word in entry:
         if word not in ("from", "to", "scale"):
             raise SceneError(
                 f"{where}: {word}: unknown key; {nearest(word, ('from', 'to', 'scale', 'values', 'times'))}"
             )
-    if not {"from", "to"} <= set(given) or given.get("scale", "linear") not in ("linear", "log"):
+    if not {"from", "to"} <= set(entry) or entry.get("scale", "linear") not in ("linear", "log"):
         raise SceneError(f"{where}: {RANGE}")
-    return _between(given["from"], given["to"], given.get("scale") == "log", where)
+    return _between(entry["from"], entry["to"], entry.get("scale") == "log", where)
 
 
 def _between(low: Any, high: Any, log: bool, where: str) -> Any:
@@ -92,8 +92,8 @@ def _between(low: Any, high: Any, log: bool, where: str) -> Any:
         return lambda place: low + int(place * (high - low + 1))
 
     def value(place: float) -> Any:
-        found = a * (b / a) ** place if log else a + place * (b - a)
-        return f"{found!r} {unit}" if unit else found
+        value = a * (b / a) ** place if log else a + place * (b - a)
+        return f"{value!r} {unit}" if unit else value
 
     return value
 

@@ -85,10 +85,10 @@ def _read(path: Path) -> dict[str, Any] | None:
 
 def flat(numbers: dict[str, Any], above: str = "") -> Row:
     """The numbers of a summary by dotted name, such as `energy_j.friction`; words and lists are left out."""
-    found: Row = {}
+    row: Row = {}
     for name, value in numbers.items():
         if isinstance(value, dict):
-            found |= flat(value, f"{above}{name}.")
+            row |= flat(value, f"{above}{name}.")
         elif isinstance(value, bool | int | float):
-            found[f"{above}{name}"] = value
-    return found
+            row[f"{above}{name}"] = value
+    return row

@@ -164,7 +164,7 @@ def test_loops_are_drawn_and_a_doubt_is_told_where_blocks_move_much():
     soft = {f"{group}__normal_stiffness": "100 MPa/m", f"{group}__shear_stiffness": "40 MPa/m"}
     result = beam([force, -force, 0.0], **soft)
     text = " ".join(summary_text(result.summary).split())
-    assert f"borne on all of its way, through {force:g}, {-force:g}, 0" in text
+    assert f"borne along its whole path, through {force:g}, {-force:g}, 0" in text
     assert "but the balance is that of the shape as drawn" in text and "raise limit.up_to" not in text
     loops, ledger, _ = curve_figure(result).axes
     assert (loops.get_xlabel(), loops.get_ylabel()) == ("beam [mm]", "load factor [1]")

@@ -1,4 +1,4 @@
-"""When a fall began: steady motion is none; where too much changes while it gathers way, it is not known."""
+"""When a fall began: steady motion is none; where too much changes while it gains speed, it is not known."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from masonry.results.summary import FirstFall, Moment
 from masonry.scene import load as load_scene
 
 SPREAD, PACE, GROWS = 34e-3, 2e-3, 4.0
-"""Drive (m) at which the balance is lost, speed of the packaged arch (m/s), rate (1/s) at which it then gathers way."""
+"""Drive (m) at which the balance is lost, speed of the packaged arch (m/s), rate (1/s) at which it then gains speed."""
 
 
 def rows_of(faster: float, noise: float = 0.0, rows: int = 1000, falls: bool = True) -> dict[str, np.ndarray]:
@@ -49,7 +49,7 @@ def test_slow_motion_is_told_by_the_energy_of_the_fall_as_where_nothing_drives()
 
 
 def test_a_fall_of_which_it_is_not_known_when_it_began_is_told_so():
-    unknown = "the drive went from 31.87 to 35.88 mm while it gathered way: drive or load more slowly"
+    unknown = "the drive went from 31.87 to 35.88 mm while it gained speed: drive or load more slowly"
     fallen = FirstFall(block=3, sets=["keystone"], at_m=[0.0, 0.15, 0.98], time_s=1.0, began_unknown=unknown)
     words = collapse_text(fallen)
     assert words.endswith(f"after 1 s; when the fall began is not known: {unknown}")
@@ -61,7 +61,7 @@ def test_what_changed_while_it_gathered_way_is_named_from_four_per_cent_on():
         return not_known(began | {"displacement_m": -0.03 * (1.0 - share)} | more, began)
 
     assert words(0.039) == ""
-    assert words(0.041) == "the drive went from -28.77 to -30 mm while it gathered way: drive or load more slowly"
+    assert words(0.041) == "the drive went from -28.77 to -30 mm while it gained speed: drive or load more slowly"
     assert "the tilt went from 16.04 to 17.19 deg while" in words(0.0, tilt_rad=0.28)
     assert "the traction.0 went from 0.4 to 0.5 of its value while" in words(0.0, loads={"traction.0": 0.4})
 

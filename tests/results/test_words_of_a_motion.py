@@ -43,7 +43,7 @@ def test_a_collapse_is_told_with_its_place_at_the_start_and_no_rounding():
         "began after 0.5 s"
     )
     tilted = collapse_text(FALLEN | {"began": BEGAN | {"tilt_rad": 0.37}})
-    assert tilted.endswith("it falls at a smaller tilt already, as gravity turned on while the fall gathered way")
+    assert tilted.endswith("it falls at a smaller tilt already, as gravity turned on while the fall gained speed")
 
 
 def test_a_load_that_grows_while_the_fall_gathers_way_is_told_from_where_to_where():

@@ -20,16 +20,16 @@ def usual(rows: dict[str, np.ndarray]) -> np.ndarray:
     speed /= np.maximum(np.diff(rows["time"], prepend=rows["time"][0]), 1e-300)
     moving = np.flatnonzero(np.abs(speed) > 1e-9 * np.abs(speed).max(initial=0.0))
     per_square = rows["kinetic"][moving] / speed[moving] ** 2
-    found = np.zeros(len(speed))
+    energy = np.zeros(len(speed))
     for k, row in enumerate(moving):
-        found[row] = np.median(per_square[max(k + 1 - ROWS, 0) : k + 1]) * speed[row] ** 2
-    return found
+        energy[row] = np.median(per_square[max(k + 1 - ROWS, 0) : k + 1]) * speed[row] ** 2
+    return energy
 
 
 def beginning(rows: dict[str, np.ndarray], fallen: int) -> tuple[int | None, float]:
     """The last row before one at which a block has fallen at which nothing moved but steadily: None without one, that
     row itself where nothing moves but steadily even then. And the time (s) at which the fall began, from how it
-    gathered way from there.
+    gained speed from there.
 
     The speed of what begins to fall grows with the square of the time: a push that grows steadily, with the load or the
     drive, acts on it, and it had no speed. So the root of the speed, less what is steady, is a straight line.

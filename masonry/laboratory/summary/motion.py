@@ -11,7 +11,7 @@ from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
 
 LATE = 0.04
-"""Share of a place of the drive, a tilt or a load by which that may change while a fall gathers way: with more it is
+"""Share of a place of the drive, a tilt or a load by which that may change while a fall gains speed: with more it is
 not known where the fall began."""
 
 STEADILY = "it went down no faster than the drive made it, so it may stand"
@@ -34,7 +34,7 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> FirstFall | None:
     """The first block to fall: its number, set and place at the start; time, drive and force when it had; energies.
 
     `began` says the same of when the fall began: the last row before at which nothing moved but as the drive does. None
-    without one, and where too much changed while the fall gathered way, which `began_unknown` then says.
+    without one, and where too much changed while the fall gained speed, which `began_unknown` then says.
     """
     if outcome.found["collapse"] is None:
         return None
@@ -75,7 +75,7 @@ def not_known(setting_out: Moment | None, began: Moment | None) -> str:
         for name, (value, unit) in after.items()
         if abs(value - before[name][0]) > LATE * abs(value)
     ]
-    return f"{' and '.join(changed)} while it gathered way: drive or load more slowly" if changed else ""
+    return f"{' and '.join(changed)} while it gained speed: drive or load more slowly" if changed else ""
 
 
 def _moment(assembly: Assembly, rows: dict[str, np.ndarray], row: int) -> Moment:

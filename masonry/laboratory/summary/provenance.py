@@ -92,6 +92,6 @@ def _version(package: str) -> str:
 
 def own_sources(laws: Iterable[str | None]) -> str:
     """Hash (hex) of the packages that bring some laws (None is none); "" where all are ours."""
-    found = [plugin_law(law) for law in sorted({law for law in laws if law is not None and law not in law_names()})]
-    hashes = [package_hash(law.parameters_class) for law in found if law is not None]
+    plugins = [plugin_law(law) for law in sorted({law for law in laws if law is not None and law not in law_names()})]
+    hashes = [package_hash(law.parameters_class) for law in plugins if law is not None]
     return hashlib.sha256(" ".join(hashes).encode()).hexdigest()[:16] if hashes else ""

@@ -114,6 +114,6 @@ def _steps(place: np.ndarray, width: float) -> np.ndarray:
     """Which of all different x, y, z each place (C, 3) has, counted from below; those nearer than a width are one."""
     order = np.argsort(place, axis=0)
     rises = np.diff(np.take_along_axis(place, order, axis=0), axis=0, prepend=place.min(axis=0)[None]) > width
-    found = np.empty(place.shape, dtype=np.int64)
-    np.put_along_axis(found, order, np.cumsum(rises, axis=0), axis=0)
-    return found
+    ranks = np.empty(place.shape, dtype=np.int64)
+    np.put_along_axis(ranks, order, np.cumsum(rises, axis=0), axis=0)
+    return ranks

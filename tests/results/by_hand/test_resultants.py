@@ -95,7 +95,7 @@ def test_a_joint_that_is_pressed_has_not_opened_however_soft_it_is():
     opening[which], stress[which] = (1e-6, -1e-6, 1e-6, 0.0), (0.0, -3e4, 3e4, 0.0)
     slip, shear = np.zeros(len(joints.area)), np.zeros(len(joints.area))
     slip[which], shear[which] = (0.0, 0.0, 0.0, 1e-6), (0.0, 0.0, 0.0, -1.2e4)
-    result = SimpleNamespace(joints=joints, joint_groups=("unit_unit",), scene_table=SCENE)
+    result = SimpleNamespace(joints=joints, joint_groups=("unit_unit",), joint_properties={}, scene_table=SCENE)
     result.joint_group = np.zeros(len(joints.area), dtype=int)
     frame = replace(frame, opening=opening, normal_stress=stress, slip=slip, shear_stress=shear)
     assert np.flatnonzero(moved_undamaged(result, frame)).tolist() == [which[0]]
