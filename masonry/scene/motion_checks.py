@@ -16,7 +16,7 @@ def require_fit(scene: Any) -> None:
     if scene.is_large:
         for key in LIMITS:
             if key in scene.solver.model_fields_set:
-                raise KeyedError(f"solver.{key}", 'no run of displacements = "large" stops there; leave it out')
+                raise KeyedError(f"solver.{key}", "a run of large displacement does not stop there; leave it out")
     if scene.scatter is not None and "default" in scene.scatter.groups:
         raise KeyedError("scatter.default", "scatter needs a group of its own, with its own table of contacts")
     _real_time(scene)
@@ -100,7 +100,7 @@ def _large_only(scene: Any) -> None:
             "specimen.patch_points", f"{only}; contact_points says where points of small displacements lie"
         )
     if scene.solver.skin is not None:
-        raise KeyedError("solver.skin", f"{only}; contacts of small displacements are never found anew")
+        raise KeyedError("solver.skin", f"{only}; a run of small displacements looks for contacts once")
 
 
 def _real_time(scene: Any) -> None:

@@ -191,7 +191,7 @@ TOP = [{"name": "top", "at": "top course", "direction": "x"}]
         ({"limit.history": "sin(t / 1 s)"}, "must be a list of the factors"),
         ({"limit.history": [1e9]}, "point 0"),
         ({"limit.history": [0.3, -0.3], "limit.up_to": 2.0}, "limit.up_to: belongs to a load that grows"),
-        ({"limit.history": [0.3, -0.3], "limit.accuracy": None}, "limit.history: is the way of the load in a run"),
+        ({"limit.history": [0.3, -0.3], "limit.accuracy": None}, "limit.history: a run follows this history"),
         ({"limit.history": [0.3, -0.3], "gauge": []}, "limit.history are drawn over one"),
     ],
 )

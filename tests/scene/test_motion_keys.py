@@ -92,8 +92,8 @@ def test_limits_of_small_displacement_are_written_where_the_scene_gives_them():
 
 WRONG = {
     "displacements": ({"top": 'displacements = "larg"'}, "displacements: 'larg' is not allowed; did you mean 'large'"),
-    "rotation": ({"top": LARGE, "more": GRAVITY + "[solver]\nrotation_limit = 0.1\n"}, "solver.rotation_limit: no run"),
-    "slip": ({"top": LARGE, "more": GRAVITY + "[solver]\nslip_limit = 0.25\n"}, "solver.slip_limit: no run of"),
+    "rotation": ({"top": LARGE, "more": GRAVITY + "[solver]\nrotation_limit = 0.1\n"}, "solver.rotation_limit: a run"),
+    "slip": ({"top": LARGE, "more": GRAVITY + "[solver]\nslip_limit = 0.25\n"}, "solver.slip_limit: a run of"),
     "dashpot": ({"dashpot": "normal_dashpot = 0.2"}, 'unit_unit.normal_dashpot: needs displacements = "large"'),
     "dashpot 0": ({"top": LARGE, "dashpot": "normal_dashpot = 0"}, "normal_dashpot must be in (0, 100]"),
     "default": ({"contact": "default"}, 'contact.default: needs displacements = "large"'),

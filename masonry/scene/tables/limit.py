@@ -87,7 +87,7 @@ class LimitLoad(Table):
         if self.accuracy is not None and self.pattern == "drive":
             raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
         if self.accuracy is None and self.up_to is not None:
-            raise KeyedError("up_to", "says where a run ends whose load grows: it needs accuracy = '1 %'")
+            raise KeyedError("up_to", "a run whose load grows ends there: that needs accuracy = '1 %'")
         self._can_be_led()
         self._can_turn_back()
         for key in ("force", "stress"):
@@ -100,15 +100,15 @@ class LimitLoad(Table):
             missing, other = ("until", "control") if self.until is None else ("control", "until")
             raise KeyedError(missing, f"missing; {other} needs it: control = a gauge's name, until = '80 mm'")
         if self.control is not None and self.accuracy is None:
-            raise KeyedError("control", "is led on when the load has collapsed, in a run: it needs accuracy = '1 %'")
+            raise KeyedError("control", "a run leads this gauge on after the collapse: that needs accuracy = '1 %'")
         if self.until == 0.0:
-            raise KeyedError("until", "is 0: give the reading of the gauge to which it is to be led")
+            raise KeyedError("until", "is 0; give the reading of the gauge at which the run ends")
 
     def _can_turn_back(self) -> None:
         if self.history is None:
             return
         if self.accuracy is None:
-            raise KeyedError("history", "is the way of the load in a run: it needs accuracy = '1 %'")
+            raise KeyedError("history", "a run follows this history: that needs accuracy = '1 %'")
         for key in ("up_to", "control", "until"):
             if getattr(self, key) is not None:
                 raise KeyedError(

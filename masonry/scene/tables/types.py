@@ -65,7 +65,7 @@ def unchanged(name: object) -> SceneError:
     """What is said where somebody tries to change a scene."""
     return SceneError(
         f"{name} cannot be changed: a scene stays as it is. scene.with_({{'contact.unit_unit.cohesion': '0.6 MPa'}}) "
-        "gives another one, with the keys that are named set anew"
+        "gives another one, with other values of these keys"
     )
 
 

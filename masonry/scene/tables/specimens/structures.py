@@ -44,9 +44,7 @@ class _Ring(Structure):
     @model_validator(mode="after")
     def _is_a_ring(self) -> "_Ring":
         if self.thickness >= self.radius:
-            raise KeyedError(
-                "thickness", f"must be less than radius, {self.radius:g} m, which is that of the centre line"
-            )
+            raise KeyedError("thickness", f"must be less than radius, {self.radius:g} m, the radius of the centre line")
         return self
 
 
