@@ -31,6 +31,7 @@ FLOORS = (
         "masonry.patches",
         "masonry.kernels",
         "masonry.model",
+        "masonry.configuration.parts",
         "masonry.configuration",
     ),
     *("masonry.scene.tables", "masonry.scene"),

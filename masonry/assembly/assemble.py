@@ -25,10 +25,10 @@ from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
 from masonry.configuration.setting_off import begin
 from masonry.errors import SceneError, nearest
 from masonry.laws import factory
-from masonry.loading.drive.predictor import LITTLE
 from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
+from masonry.model.damping import damping_of
 from masonry.model.layout import Material, lay_out
 from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
@@ -81,9 +81,7 @@ def assemble(scene: Scene) -> Assembly:
     drawn = _draws(scene, blocks, joints, names, group)
     laws |= {d.group: laws_of(d, properties[d.group], compressions) for d in drawn}
     s = scene.solver
-    stepping = model.Stepping(
-        s.masses, s.time_step, s.step_fraction, LITTLE if scene.is_controlled else s.damping, scene.is_controlled
-    )
+    stepping = model.Stepping(s.masses, s.time_step, s.step_fraction, damping_of(s, scene.is_controlled))
     if s.time_step == "equation-11" and s.masses == "scaled":
         raise SceneError(
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'

@@ -56,8 +56,8 @@ def main(arguments: list[str] | None = None) -> int:
     if plot is not None:
         require_free(plot, words.overwrite)
     contact = _contact(words.name, words.changes)
+    from masonry.drawings.law_portrait import COMPRESSIONS, portrait
     from masonry.laws.factory import build
-    from masonry.model.law_portrait import COMPRESSIONS, portrait
 
     parameters, joint = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
     measured = portrait(parameters, joint)

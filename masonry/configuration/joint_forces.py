@@ -41,7 +41,7 @@ class JointForces:
     """Takes the forces of all contacts of a model; which contacts make up a joint is found once."""
 
     def __init__(self, model: Model, large: Large) -> None:
-        self.model, self.large, joints = model, large, model.joints
+        self.model, self.parts, joints = model, large, model.joints
         if not len(joints.area):
             return
         from scipy.spatial import cKDTree
@@ -107,7 +107,7 @@ class JointForces:
     def _on_joints(self, gone: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Of all points of patches in the plane of a joint: its number (K,), the place (K, 3) m and the force (K, 3) N
         on the side of the lower unit, turned back with the block there."""
-        near, found = self.large.near, _points(self.large.near)
+        near, found = self.parts.near, _points(self.parts.near)
         key, sign = self._sides(found.block)
         which = np.minimum(np.searchsorted(self.pairs, key), len(self.pairs) - 1)
         row, low = np.arange(len(key)), (sign < 0.0).astype(int)
@@ -116,7 +116,7 @@ class JointForces:
         undo = (motion.frame if motion.dual is None else motion.dual)[body]  # transposed
         place = found.place - motion.centre[body] - motion.moved[body, :3]
         place = motion.centre[body] + np.einsum("kji,kj->ki", undo, place)
-        back = sign[:, None, None] * self.large.bonds.frames[block].transpose(0, 2, 1)
+        back = sign[:, None, None] * self.parts.bonds.frames[block].transpose(0, 2, 1)
         acts, normal = (np.einsum("kij,kj->ki", back, vector) for vector in (found.force, found.normal))
         contact = self.nearest.query(self._place(place, which, normal))[1]
         aligned = np.einsum("ki,ki->k", normal, self.normal[contact]) > ALIGNED

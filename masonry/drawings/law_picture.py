@@ -4,8 +4,8 @@ from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import whole_file
+from masonry.drawings.law_portrait import Portrait
 from masonry.errors import SceneError
-from masonry.model.law_portrait import Portrait
 from masonry.pictures.style import MEGA, MILLI, plain, write_png
 
 COLOURS = ("#4a90c2", "#1f3b5c", "#b2182b")

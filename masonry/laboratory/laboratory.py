@@ -8,7 +8,6 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
-from masonry.kinematics.motion import Guided
 from masonry.laboratory.cost import candidates, expected, expected_seconds
 from masonry.laboratory.quality import cells_text, quality_lines
 from masonry.laboratory.remarks.catalogue import doubts_of_run, remarks_of_check
@@ -19,6 +18,7 @@ from masonry.laboratory.settling import settled
 from masonry.laboratory.summary.provenance import provenance_of
 from masonry.laboratory.summary.summary import add_tilt, summarise
 from masonry.laws.dispatch import word_of
+from masonry.model.damping import damping_words
 from masonry.results.data import properties_by_group
 from masonry.results.joint_resultants import resultants
 from masonry.rows.rest_criterion import SETTLED
@@ -197,11 +197,4 @@ def compiled(assembly: Assembly) -> list[str]:
     laws = []
     for g, (name, parameters) in enumerate(zip(m.group_names, m.groups.parameters, strict=True)):
         laws.append(f"{name}: {f'{word_of(parameters)} law' if g in m.swept else 'friction in patches, found anew'}")
-    return [*names, *laws, damping_text(m.damping), "energy ledger"]
-
-
-def damping_text(damping: float | Guided | None) -> str:
-    """The damping of a step in words."""
-    if isinstance(damping, Guided):
-        return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
-    return f"local damping {damping:g}" if damping else "no damping"
+    return [*names, *laws, damping_words(m.damping), "energy ledger"]

@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from masonry.kinematics.motion import Guided
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
 from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
 from masonry.model.contact_groups import contact_groups
+from masonry.model.damping import Damping, damping_in_steps, expects_motion, local_damping
 from masonry.model.kinds import dof_words
 from masonry.model.large.meeting import (
     Large,
@@ -33,14 +33,12 @@ from masonry.simd.rows import aligned
 @dataclass(frozen=True)
 class Stepping:
     """How time advances. masses: "scaled" (quasi-static) or "real"; time_step: "gershgorin", "equation-11", or seconds;
-    step_fraction: of the proven bound (of eq. (11): its frac); damping: xi of eq. (3); guided: damp what moves
-    otherwise than expected besides (loading/drive/predictor.py)."""
+    step_fraction: of the proven bound (of eq. (11): its frac); damping: of damping.py."""
 
     masses: str = "scaled"
     time_step: str | float = "gershgorin"
     step_fraction: float = 0.9
-    damping: float = 0.8
-    guided: bool = False
+    damping: Damping = 0.8
 
 
 @dataclass
@@ -65,7 +63,7 @@ class Model:
     drives: tuple
     supports: tuple
     masses: dict[str, np.ndarray]
-    damping: float | Guided | None
+    damping: Damping
     dt: float
     bound: float
     limited_by: str
@@ -158,7 +156,7 @@ def build(
     elif meetings is not None and meetings.rules.dashpot.any():
         rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
         stable_step.unscale(rates, layout, length)
-        sums = with_dashpots(sums, rates, real, stepping.damping)
+        sums = with_dashpots(sums, rates, real, local_damping(stepping.damping))
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     rows, count = {kind: layout.rows(kind) for kind in KINDS}, np.zeros(stable_step.BETWEEN + 1, dtype=int)
@@ -168,7 +166,7 @@ def build(
     first["between"] = first["affine"] + affine
     side_rows, ordered = number_sides(sides, first, rows)
     u = in_rows(np.zeros((first["between"] + between, 3)))
-    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, stepping.guided)
+    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, expects_motion(stepping.damping))
     state = initial_state(group, joint_properties)
     bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
     states = tuple(group_state(state, i) for i in joint_properties)
@@ -187,7 +185,7 @@ def build(
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
         masses={kind: np.where(conditions.prescribed[kind], 0.0, masses[kind]) for kind in KINDS},
-        damping=Guided(0.0, stepping.damping) if stepping.guided else stepping.damping or None,
+        damping=damping_in_steps(stepping.damping, dt),
         dt=dt,
         bound=bound,
         limited_by=limited_by,
@@ -280,7 +278,7 @@ def _stepping(
     layout: Layout, sums: dict, real: dict, conditions: Conditions, stepping: Stepping, kn: np.ndarray
 ) -> tuple[dict, float, float, str]:
     """Masses of motion, time step, its proven bound, and what limits it."""
-    xi = stepping.damping
+    xi = local_damping(stepping.damping)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     if stepping.masses == "real":
         bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)

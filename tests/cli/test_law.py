@@ -8,11 +8,11 @@ from matplotlib.image import imread
 
 from masonry.cli import law_command
 from masonry.cli.main import main
+from masonry.drawings import law_portrait
 from masonry.drawings.law_picture import law_figure
+from masonry.drawings.law_portrait import COMPRESSIONS, portrait
 from masonry.errors import SceneError
 from masonry.laws.factory import build
-from masonry.model import law_portrait
-from masonry.model.law_portrait import COMPRESSIONS, portrait
 from masonry.scene.tables.contact import Contact
 from tests.laws.own_package import files_of_page, install, on_the_path
 from verification.fixtures.one_contact import law

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from masonry import plugins
+from masonry.drawings.law_portrait import portrait
+from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
 from masonry.laws.factory import build
-from masonry.model.law_portrait import portrait
-from masonry.model.one_contact import follow
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
 from tests.laws.own_package import files_of_page, install, law_by_slip, law_in_lanes, law_with_if, on_the_path

@@ -10,6 +10,7 @@ from geometry.blocks import Blocks, Joints, TetMesh
 from masonry.configuration.chunk import Chunk
 from masonry.jit.compiler import jit
 from masonry.kernels.contact import sweep
+from masonry.kinematics.motion import Guided
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
@@ -42,7 +43,7 @@ def model_of(
     conditions = loads.no_conditions(layout)
     if loaded:
         loads.add_gravity(layout, conditions.load, np.full(blocks.count, STONE.density), np.zeros(3))
-    stepping = Stepping(damping=damping, guided=guided)
+    stepping = Stepping(damping=Guided(0.0, damping) if guided else damping)
     materials = dict.fromkeys(blocks.groups, STONE)
     model = build(blocks, joints, materials, dict.fromkeys(names, law), stepping, conditions, layout)
     if not ledger:

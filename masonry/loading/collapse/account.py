@@ -3,6 +3,7 @@
 import numpy as np
 
 from masonry.configuration import energy
+from masonry.configuration.parts.parts import parts_of
 from masonry.loading.moves.moved import dofs
 from masonry.loading.varying_loads import works_of
 from masonry.model.model import Model
@@ -30,7 +31,7 @@ class Account(Remembering):
         scale: the collapse factor"""
         works = works_of(self.model, dofs(self.model))
         lost = energy.kinetic(self.model, before)
-        lost -= sum(float(body.work[:, 1].sum()) for _, body in energy.present(self.model))
+        lost -= sum(float(part.body.work[:, 1].sum()) for part in parts_of(self.model))
         if not len(self.works):
             self.works, self.lost = works, lost
         self.work += float(slope @ (works - self.works)[-len(slope) :])

@@ -9,11 +9,10 @@ import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
 from masonry.kinematics.motion import Guided
+from masonry.model.damping import LITTLE
 from masonry.model.model import Model
 from masonry.runtime.state import State, attributes, load_attributes
 
-LITTLE = 0.1
-"""xi of the local damping, eq. (3), that acts on all motion."""
 RATIO, SUDDEN = 0.2, 2.0
 """Viscosity over the critical one at the frequency of the expected motion: where all moves as expected, and where
 nothing does, so that a specimen with a sudden crack does not swing beyond where it comes to rest, and break there."""

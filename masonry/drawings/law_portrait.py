@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from masonry.drawings.one_contact import Path, follow
 from masonry.laws.dispatch import beside
 from masonry.laws.state import JointProperties
-from masonry.model.one_contact import Path, follow
 
 COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)
 """Pa, of the couplets of the paper."""
