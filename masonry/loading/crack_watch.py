@@ -9,7 +9,7 @@ import numpy as np
 from masonry.configuration import energy
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
-from masonry.monitors.events import PARTED, Events
+from masonry.monitors.events import PARTED, SuddenCracks
 from masonry.rows.rest_criterion import BRAKED
 from masonry.runtime.state import State, attributes, load_attributes
 
@@ -37,7 +37,7 @@ class CrackWatch:
 
     def __init__(self, model: Model) -> None:
         assert isinstance(model.damping, float)
-        self.model, self.events, self.damping = model, Events(model), model.damping
+        self.model, self.cracks, self.damping = model, SuddenCracks(model), model.damping
         self.usual = self.stored = self.most = 0.0
         self.pause = self.learning = self.still = self.waited = 0
 
@@ -52,21 +52,21 @@ class CrackWatch:
         expected = self.usual * speed**2
         if self.pause:
             brake(self.model, before, DECAY)
-            self.events.sudden(step)
+            self.cracks.sudden(step)
             self.still = self.still + 1 if kinetic <= BRAKED.energy * self.stored else 0
             self.waited += STEPS
             over = self.still >= BRAKED.looks or self.waited >= MOST
             self.hold(0 if over else self.pause + STEPS)
             self.learning = LOOKS
         elif self.leaps(kinetic, expected):
-            self.events.sudden(step)
+            self.cracks.sudden(step)
             self.hold(STEPS)
             self.still = 0
         else:
             if self.learning:  # what the drive's new start is felt as belongs to the crack before it
-                self.events.sudden(step)
+                self.cracks.sudden(step)
             else:
-                self.events.calm(step)
+                self.cracks.calm(step)
             if speed != 0.0:
                 weight = AFTERWARDS if self.learning else MEMORY
                 self.usual += weight * (kinetic / speed**2 - self.usual)
@@ -76,7 +76,7 @@ class CrackWatch:
         """Whether so much kinetic energy (J) is a sudden crack where so much is expected; not before anything broke."""
         if self.learning or self.waited >= MOST or self.usual == 0.0:
             return False
-        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.events.anything_dissipated()
+        return kinetic > max(JUMP * expected, LEAST * self.stored) and self.cracks.anything_dissipated()
 
     def hold(self, steps: int) -> None:
         """The drive has been held for so many steps, or (0) moves; its damping follows."""
@@ -85,12 +85,12 @@ class CrackWatch:
 
     def state(self) -> State:
         """What the next look depends on."""
-        return {**attributes(self, REMEMBERED), "events": self.events.state()}
+        return {**attributes(self, REMEMBERED), "cracks": self.cracks.state()}
 
     def restore(self, state: State) -> None:
         """Go on from there."""
         load_attributes(self, REMEMBERED, state)
-        self.events.restore(state["events"])
+        self.cracks.restore(state["cracks"])
         self.hold(self.pause)
 
 

@@ -95,9 +95,9 @@ class ScheduledLoading(Loading):
 
     REMEMBERED = ("done", "speed", "last", "still", "most")
 
-    def __init__(self, model: Model, program: Program, rows: int, cracks: CrackWatch | None = None) -> None:
+    def __init__(self, model: Model, program: Program, rows: int, watch: CrackWatch | None = None) -> None:
         """Cracks  has the drive wait where one is sudden"""
-        self.model, self.program, self.cracks = model, program, cracks
+        self.model, self.program, self.watch = model, program, watch
         self.done, self.speed = 0, 0.0
         load_factors, rises = program.load_factors, program.layers is None
         self.loads = None
@@ -110,8 +110,8 @@ class ScheduledLoading(Loading):
         """The next chunk; None at the end."""
         if self.done >= self.last:
             return None
-        if self.cracks is not None and self.cracks.pause:
-            return self.hold(self.cracks.steps)
+        if self.watch is not None and self.watch.pause:
+            return self.hold(self.watch.steps)
         due = self.row_due()
         first, latest = self.done, self.done + LONGEST_CHUNK if self.loads is None else self.loads.latest(self.done)
         self.done = min(due, latest)
@@ -141,13 +141,13 @@ class ScheduledLoading(Loading):
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """The drive is held where the specimen moves by itself; `before`: velocities one step before this one."""
-        if self.cracks is not None and self.done > self.program.settle:
-            self.cracks.look(step, self.speed, before)
+        if self.watch is not None and self.done > self.program.settle:
+            self.watch.look(step, self.speed, before)
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """The drive is held by what the specimen stores. At rest, the next row may be the last."""
-        if self.cracks is not None:
-            self.cracks.see(terms["elastic_blocks"] + terms["elastic_contacts"])
+        if self.watch is not None:
+            self.watch.see(terms["elastic_blocks"] + terms["elastic_contacts"])
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
             rests = terms["kinetic"] <= ENDED.energy * self.most and self.each_rests()
@@ -170,8 +170,8 @@ class ScheduledLoading(Loading):
     @property
     def events(self) -> list[Event]:
         """The sudden cracks so far."""
-        return [] if self.cracks is None else self.cracks.events.found
+        return [] if self.watch is None else self.watch.cracks.events
 
     def parts(self) -> dict[str, CrackWatch]:
         """What waits for sudden cracks, where anything does."""
-        return {} if self.cracks is None else {"cracks": self.cracks}
+        return {} if self.watch is None else {"watch": self.watch}

@@ -21,12 +21,12 @@ class Event(NamedTuple):
     contact: int
 
 
-class Events:
+class SuddenCracks:
     """The sudden cracks of a run, and the one that goes on, if one does."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.found: list[Event] = []
+        self.events: list[Event] = []
         self.going_on = False
         self.calm(0)
 
@@ -38,10 +38,10 @@ class Events:
     def sudden(self, step: int) -> None:
         """It has moved by itself since the last look; a crack that goes on is one with what came before."""
         if self.going_on:
-            self.found.pop()
+            self.events.pop()
         grown = self._dissipated() - self.dissipated
         contact = int(np.argmax(grown)) if grown.max(initial=0.0) > 0.0 else -1
-        self.found.append(Event(self.step, step, self._damped() - self.damped, contact))
+        self.events.append(Event(self.step, step, self._damped() - self.damped, contact))
         self.going_on = True
 
     def anything_dissipated(self) -> bool:
@@ -59,9 +59,9 @@ class Events:
 
     def state(self) -> State:
         """All of it."""
-        found = np.array(self.found, dtype=float).reshape(-1, 4)
+        events = np.array(self.events, dtype=float).reshape(-1, 4)
         return {
-            "found": found,
+            "events": events,
             "going_on": self.going_on,
             "step": self.step,
             "dissipated": self.dissipated,
@@ -70,7 +70,7 @@ class Events:
 
     def restore(self, state: State) -> None:
         """Go on from there."""
-        self.found = [Event(int(a), int(b), c, int(d)) for a, b, c, d in state["found"].tolist()]
+        self.events = [Event(int(a), int(b), c, int(d)) for a, b, c, d in state["events"].tolist()]
         self.going_on, self.step = state["going_on"], state["step"]
         self.dissipated, self.damped = state["dissipated"], state["damped"]
 

@@ -9,7 +9,7 @@ from masonry.assembly.assemble import assemble
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
 from masonry.loading.drive.increments import DriveRow
 from masonry.loading.programs import rise
-from masonry.monitors.events import Event, Events, table
+from masonry.monitors.events import Event, SuddenCracks, table
 from masonry.rows.cycles import bounds
 from masonry.rows.peak import at_peak, peak_row
 from masonry.scene import load
@@ -92,22 +92,22 @@ def test_a_looser_accuracy_is_aimed_at_less_than_in_proportion_and_deforming_uni
 
 def test_a_sudden_crack_is_what_damping_took_since_all_was_calm_and_the_contact_that_broke_most():
     model = assemble(load("couplet")).model
-    events, body, area = Events(model), model.bodies.rigid, model.joints.area
+    cracks, body, area = SuddenCracks(model), model.bodies.rigid, model.joints.area
     body.work[:, 1] = -1.0, -2.0
-    events.calm(10)
+    cracks.calm(10)
     body.work[1, 1], model.state.dissipated[2, 1] = -2.5, 4.0 / area[2]
-    events.sudden(20)
+    cracks.sudden(20)
     body.work[1, 1], model.state.dissipated[3, 0] = -3.5, 9.0 / area[3]
-    events.sudden(30)
-    assert events.found == [Event(10, 30, pytest.approx(1.5), 3)], "what goes on is one with what came before"
-    events.calm(40)
+    cracks.sudden(30)
+    assert cracks.events == [Event(10, 30, pytest.approx(1.5), 3)], "what goes on is one with what came before"
+    cracks.calm(40)
     body.work[1, 1] = -4.0
-    events.sudden(50)
-    assert events.found[1] == Event(40, 50, pytest.approx(0.5), -1)
+    cracks.sudden(50)
+    assert cracks.events[1] == Event(40, 50, pytest.approx(0.5), -1)
     rows = {"step": np.array([0.0, 25.0, 50.0]), "displacement": np.array([0.0, 1e-3, 2e-3])}
-    told = table(model, events.found, rows, 0.6)
-    assert [(one["first_step"], one["last_step"], one["displacement_m"]) for one in told] == [(10, 30, 2e-3)]
-    assert "between" in told[0]["place"] or told[0]["place"] == model.contact(3)
+    entries = table(model, cracks.events, rows, 0.6)
+    assert [(one["first_step"], one["last_step"], one["displacement_m"]) for one in entries] == [(10, 30, 2e-3)]
+    assert "between" in entries[0]["place"] or entries[0]["place"] == model.contact(3)
 
 
 def test_readings_at_the_peak_lie_between_its_rows_and_on_a_plateau_the_first_row_counts():

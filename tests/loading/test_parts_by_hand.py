@@ -227,7 +227,7 @@ def test_what_goes_a_fifth_further_in_the_last_third_than_in_the_one_before_acce
 @pytest.mark.parametrize(("kinetic", "leaps"), [(0.99, False), (1.01, True)])
 def test_a_leap_is_ten_times_the_usual_energy_or_a_hundred_thousandth_of_what_is_stored(kinetic, leaps, monkeypatch):
     watch = crack_watch.CrackWatch(assemble(load("couplet").with_(STEPWISE)).model)
-    monkeypatch.setattr(watch.events, "anything_dissipated", lambda: True)
+    monkeypatch.setattr(watch.cracks, "anything_dissipated", lambda: True)
     watch.usual = 1.0
     watch.see(2.0)
     assert watch.leaps(kinetic * 10.0 * 0.3, 0.3) == leaps

@@ -254,7 +254,7 @@ class AdaptiveLoading(Loading):
     @property
     def events(self) -> list[Event]:
         """The sudden cracks so far."""
-        return self.pause.cracks.found
+        return self.pause.cracks.events
 
     def outcome(self) -> AdaptiveOutcome:
         """How far the drive ran ahead, and what damping took."""

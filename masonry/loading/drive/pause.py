@@ -2,7 +2,7 @@
 
 from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.model.model import Model
-from masonry.monitors.events import Events
+from masonry.monitors.events import SuddenCracks
 from masonry.runtime.state import Remembering
 
 
@@ -17,7 +17,7 @@ class DrivePause(Remembering):
     REMEMBERED = ("increments", "calm", "step", "ended")
 
     def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
-        self.settings, self.cracks = settings, Events(model)
+        self.settings, self.cracks = settings, SuddenCracks(model)
         self.increments = self.calm = self.step = 0
         self.ended = False
 
@@ -47,6 +47,6 @@ class DrivePause(Remembering):
             self.cracks.sudden(self.step)
             self.increments, self.calm = int(waits), 0
 
-    def parts(self) -> dict[str, Events]:
+    def parts(self) -> dict[str, SuddenCracks]:
         """The sudden cracks."""
         return {"cracks": self.cracks}
