@@ -48,7 +48,7 @@ def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, 
         if along < least:
             least, deep = along, v
     x, y, z = vertex[deep, 0], vertex[deep, 1], vertex[deep, 2]
-    best, found, stays, meets = 2.0, -1, False, False
+    best, best_face, stays, meets = 2.0, -1, False, False
     for f in range(first, last):
         if inner[f]:
             continue
@@ -56,12 +56,12 @@ def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, 
         along = normal[f, 0] * nx + normal[f, 1] * ny + normal[f, 2] * nz
         stays = stays or (here and f == present)
         if (here and not meets) or (here == meets and along < best):
-            best, found, meets = along, f, here
+            best, best_face, meets = along, f, here
     if stays:
         along = normal[present, 0] * nx + normal[present, 1] * ny + normal[present, 2] * nz
         if along <= best + hold:
             return present
-    return found
+    return best_face
 
 
 @inlined
@@ -74,7 +74,7 @@ def widest_face(
     edge may (open_edges). (x, y, z) is a point of the other piece as it stands: no gap is wider than this point is
     high, so that most faces are told by one product. -1 where none is.
     """
-    found, parted, edges, least = -1, False, False, min(beyond, 0.0)
+    widest, parted, edges, least = -1, False, False, min(beyond, 0.0)
     for f in range(face_first, face_last):
         bound = height(normal, offset, f, x, y, z)
         edges = edges or bound > least
@@ -84,8 +84,8 @@ def widest_face(
         elif bound > beyond:
             gap = face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
             if gap > beyond:
-                beyond, found = gap, f
-    return found, beyond, parted, edges
+                beyond, widest = gap, f
+    return widest, beyond, parted, edges
 
 
 @inner

@@ -70,13 +70,13 @@ def corner_point(
 ):  # fmt: skip
     """The corner first..last of a piece that is deepest in the other one, of area `least`, where their two faces do not
     overlap: a corner of another face. side: 1 for the second piece, -1 for the first; face: of the other piece."""
-    found, lowest = first, inf
+    deepest, lowest = first, inf
     for k in range(first, last):
         height = side * (nx * vertex[k, 0] + ny * vertex[k, 1] + nz * vertex[k, 2])
         if height < lowest:
-            found, lowest = k, height
+            deepest, lowest = k, height
     offset = -0.5 * side * apart
-    point[0, 0] = vertex[found, 0] + dx + offset * nx
-    point[0, 1] = vertex[found, 1] + dy + offset * ny
-    point[0, 2] = vertex[found, 2] + dz + offset * nz
-    gap[0], area[0], feature[0] = apart, least, lone_feature(face, found - first, side)
+    point[0, 0] = vertex[deepest, 0] + dx + offset * nx
+    point[0, 1] = vertex[deepest, 1] + dy + offset * ny
+    point[0, 2] = vertex[deepest, 2] + dz + offset * nz
+    gap[0], area[0], feature[0] = apart, least, lone_feature(face, deepest - first, side)

@@ -39,8 +39,8 @@ def welded(blocks: Blocks) -> Welded:
 
     every, size = blocks.points[blocks.face_points], extent(blocks)
     block = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-    kept, number = weld(np.c_[every, 10.0 * size * block], NEAR * size)
-    return Welded(every[kept], number, face_areas_normals_centroids(blocks)[1])
+    first, number = weld(np.c_[every, 10.0 * size * block], NEAR * size)
+    return Welded(every[first], number, face_areas_normals_centroids(blocks)[1])
 
 
 def convex_block(blocks: Blocks, block: int, weld: Welded) -> Convex:
@@ -62,7 +62,7 @@ def merged_block(blocks: Blocks, block: int) -> Convex:
 
     faces = [blocks.face(f) for f in blocks.faces_of(block)]
     every = np.concatenate(faces)
-    kept, number = weld(every, NEAR * float(np.ptp(every, axis=0).max()))
+    first, number = weld(every, NEAR * float(np.ptp(every, axis=0).max()))
     start = np.cumsum([0, *map(len, faces)])
     fans = [
         (number[a], number[a + k], number[a + k + 1])
@@ -70,8 +70,8 @@ def merged_block(blocks: Blocks, block: int) -> Convex:
         for k in range(1, b - a - 1)
     ]
     triangle = np.array([fan for fan in fans if len(set(fan)) == 3], dtype=np.int64)
-    loops, _ = merged_faces(every[kept], triangle, np.zeros(len(triangle), dtype=np.int64))
-    return _tidy(every[kept], [loop.tolist() for loop in loops])
+    loops, _ = merged_faces(every[first], triangle, np.zeros(len(triangle), dtype=np.int64))
+    return _tidy(every[first], [loop.tolist() for loop in loops])
 
 
 def convex_parts(blocks: Blocks, block: int) -> list[Convex]:
@@ -108,7 +108,7 @@ def _best_plane(
     normals: np.ndarray, owner: list[int], faces: list[np.ndarray], width: float
 ) -> tuple[np.ndarray, float] | None:
     """The plane of a face in the cell that cuts fewest other faces; those on the hull of what is left come first."""
-    best, found = None, None
+    best, plane = None, None
     for o, face in zip(owner, faces, strict=True):
         level = float(normals[o] @ face[0])
         above = cut = 0
@@ -117,8 +117,8 @@ def _best_plane(
             above += height.max() > width
             cut += height.max() > width and height.min() < -width
         if best is None or (above > 0, cut) < best:
-            best, found = (above > 0, cut), (normals[o], level)
-    return found
+            best, plane = (above > 0, cut), (normals[o], level)
+    return plane
 
 
 def _cut_face(face: np.ndarray, normal: np.ndarray, level: float, width: float) -> np.ndarray:
@@ -127,14 +127,14 @@ def _cut_face(face: np.ndarray, normal: np.ndarray, level: float, width: float) 
     height[np.abs(height) <= width] = 0.0
     if not np.any(height < 0):
         return face[:0]
-    kept = []
+    corners = []
     for k in range(len(face)):
         j = (k + 1) % len(face)
         if height[k] <= 0:
-            kept.append(face[k])
+            corners.append(face[k])
         if height[k] * height[j] < 0:
-            kept.append(face[k] + height[k] / (height[k] - height[j]) * (face[j] - face[k]))
-    return np.array(kept)
+            corners.append(face[k] + height[k] / (height[k] - height[j]) * (face[j] - face[k]))
+    return np.array(corners)
 
 
 def _half(cell: Convex, normal: np.ndarray, level: float, width: float) -> Convex | None:
@@ -148,22 +148,22 @@ def _half(cell: Convex, normal: np.ndarray, level: float, width: float) -> Conve
     corners, loops, after = list(cell.corners), [], {}
     new: dict[tuple[int, int], int] = {}
     for loop in cell.loops:
-        kept = []
+        below = []
         for i, j in zip(loop, [*loop[1:], loop[0]], strict=True):
             if height[i] <= 0:
-                kept.append(i)
+                below.append(i)
             if height[i] * height[j] < 0:
                 a, b = min(i, j), max(i, j)
                 if (a, b) not in new:
                     new[a, b] = len(corners)
                     corners.append(corners[a] + height[a] / (height[a] - height[b]) * (corners[b] - corners[a]))
-                kept.append(new[a, b])
-        on = [k >= len(height) or height[k] == 0 for k in kept]
-        if len(kept) >= 3 and not all(on):
-            loops.append(kept)
-            for k in range(len(kept)):
-                if on[k] and on[(k + 1) % len(kept)]:
-                    after[kept[(k + 1) % len(kept)]] = kept[k]
+                below.append(new[a, b])
+        on = [k >= len(height) or height[k] == 0 for k in below]
+        if len(below) >= 3 and not all(on):
+            loops.append(below)
+            for k in range(len(below)):
+                if on[k] and on[(k + 1) % len(below)]:
+                    after[below[(k + 1) % len(below)]] = below[k]
     first = next(iter(after))
     cap, at = [first], after[first]
     while at != first:

@@ -235,19 +235,19 @@ def _corner_of_one(
 
 @inlined
 def _pair_of(
-    normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie, first, held
+    normal, offset, inner, fa, fb, la, la_end, lb, lb_end, vertex, va, va_end, vb, vb_end, tie, first, holds
 ):  # fmt: skip
     """One of two faces, the first or the second, with the face of the other piece's deepest corner that looks most
     against it.
 
-    held: the other one of the two stays where no face looks more against it by HOLD_FACING.
+    holds: the other one of the two stays where no face looks more against it by HOLD_FACING.
     """
     if first:
-        x, y, z, present = normal[fa, 0], normal[fa, 1], normal[fa, 2], fb if held else -1
+        x, y, z, present = normal[fa, 0], normal[fa, 1], normal[fa, 2], fb if holds else -1
         return fa, most_facing(
             normal, offset, inner, lb, lb_end, vertex, vb, vb_end, x, y, z, tie, present, HOLD_FACING
         )  # fmt: skip
-    x, y, z, present = normal[fb, 0], normal[fb, 1], normal[fb, 2], fa if held else -1
+    x, y, z, present = normal[fb, 0], normal[fb, 1], normal[fb, 2], fa if holds else -1
     return most_facing(
         normal, offset, inner, la, la_end, vertex, va, va_end, x, y, z, tie, present, HOLD_FACING
     ), fb  # fmt: skip

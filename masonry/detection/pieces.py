@@ -74,7 +74,7 @@ def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray
     """
     origin = centroids(blocks)
     convex = are_convex(blocks, NEAR * extent(blocks))
-    found: list[tuple[int, Convex, list[bool]]] = []
+    pieces: list[tuple[int, Convex, list[bool]]] = []
     together = welded(blocks)
     meshed = set() if tets is None else set(tets.block.tolist())
     for b in range(blocks.count):
@@ -82,13 +82,13 @@ def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray
             continue
         if convex[b]:
             part = convex_block(blocks, b, together)
-            found.append((b, part, [False] * len(part.loops)))
+            pieces.append((b, part, [False] * len(part.loops)))
             continue
         parts = convex_parts(blocks, b)
         width = NEAR * extent(blocks)
         for k, part in enumerate(parts):
-            found.append((b, part, covered(part, parts[:k] + parts[k + 1 :], width)))
-    for b, part, _ in found:
+            pieces.append((b, part, covered(part, parts[:k] + parts[k + 1 :], width)))
+    for b, part, _ in pieces:
         if len(part.loops) > MOST_FACES or max(map(len, part.loops)) > MOST_CORNERS:
             raise GeometryError(
                 f"block {b} (unit {blocks.unit[b]}) has {len(part.loops)} faces, of up to {max(map(len, part.loops))} "
@@ -96,31 +96,31 @@ def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray
             )
     own = np.arange(blocks.count)
     if tets is None or nodes is None:
-        return _flat(found, origin, own)
-    found += as_pieces(tets, nodes, blocks.count)
-    return _flat(found, np.concatenate([origin, tets.centre]), np.concatenate([own, tets.block]))
+        return _flat(pieces, origin, own)
+    pieces += as_pieces(tets, nodes, blocks.count)
+    return _flat(pieces, np.concatenate([origin, tets.centre]), np.concatenate([own, tets.block]))
 
 
-def _flat(found: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> Pieces:
+def _flat(pieces: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> Pieces:
     """All pieces in one set of arrays; block (N,) of the bodies."""
-    body = np.array([b for b, _, _ in found], dtype=np.int64)
-    vertices = [part.corners - origin[b] for b, part, _ in found]
+    body = np.array([b for b, _, _ in pieces], dtype=np.int64)
+    vertices = [part.corners - origin[b] for b, part, _ in pieces]
     vertex_start = _starts(len(v) for v in vertices)
-    face_start = _starts(len(part.loops) for _, part, _ in found)
-    loops = [np.array(loop) + vertex_start[p] for p, (_, part, _) in enumerate(found) for loop in part.loops]
-    vertex, inner = np.concatenate(vertices), np.array([x for _, _, flags in found for x in flags], dtype=bool)
+    face_start = _starts(len(part.loops) for _, part, _ in pieces)
+    loops = [np.array(loop) + vertex_start[p] for p, (_, part, _) in enumerate(pieces) for loop in part.loops]
+    vertex, inner = np.concatenate(vertices), np.array([x for _, _, flags in pieces for x in flags], dtype=bool)
     loop_start, loop = _starts(map(len, loops)), np.concatenate(loops)
     normal = areas_normals_centroids(pad(vertex, loop_start, loop)[0])[1]
-    edges = [_edges(loops, face_start[p], face_start[p + 1], inner) for p in range(len(found))]
+    edges = [_edges(loops, face_start[p], face_start[p + 1], inner) for p in range(len(pieces))]
     centre = np.array([v.mean(axis=0) for v in vertices])
     radius = np.array([np.linalg.norm(v - c, axis=1).max() for v, c in zip(vertices, centre, strict=True)])
     far = np.maximum.reduceat(np.linalg.norm(vertex, axis=1), vertex_start[:-1])
     reach = np.zeros(len(origin))
     np.maximum.at(reach, body, far)
     place, meshed = centre + origin[body], not np.array_equal(block, np.arange(len(block)))
-    rank = np.empty(len(found), dtype=np.int64)
+    rank = np.empty(len(pieces), dtype=np.int64)
     by_place = np.lexsort(np.round(place / radius.mean(), EQUAL_PLACES).T[::-1])
-    rank[np.arange(len(found)) if meshed else by_place] = np.arange(len(found))
+    rank[np.arange(len(pieces)) if meshed else by_place] = np.arange(len(pieces))
     return Pieces(
         body, np.searchsorted(body, np.arange(len(origin) + 1)), rank, vertex_start, vertex, face_start,
         loop_start, loop, normal, inner, _starts(map(len, edges)),

@@ -45,13 +45,13 @@ def motion_of(
 
 def masses_of(layout: Layout, masses: dict[str, np.ndarray], block: np.ndarray) -> np.ndarray:
     """(N,) kg of motion of the blocks that bodies are or belong to, from those of the dofs of each kind."""
-    found = np.zeros(len(layout.kind))
+    mass = np.zeros(len(layout.kind))
     for kind in ("rigid", "affine"):
-        found[layout.members[kind]] = masses[kind][:, 0]
+        mass[layout.members[kind]] = masses[kind][:, 0]
     if layout.mesh is not None:
         own = np.repeat(np.arange(len(layout.kind)), np.diff(layout.mesh.node_start))
-        found += np.bincount(own, masses["tets"][:, 0], minlength=len(found))
-    return np.asarray(found[block])
+        mass += np.bincount(own, masses["tets"][:, 0], minlength=len(mass))
+    return np.asarray(mass[block])
 
 
 def masses_behind(layout: Layout, masses: dict[str, np.ndarray]) -> np.ndarray:
@@ -61,13 +61,13 @@ def masses_behind(layout: Layout, masses: dict[str, np.ndarray]) -> np.ndarray:
 
 def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.ndarray:
     """(N,) whether a body can move."""
-    found = np.zeros(len(layout.kind), dtype=bool)
+    free = np.zeros(len(layout.kind), dtype=bool)
     for kind, body in zip(KINDS, bodies, strict=True):
         if body is not None and not KIND[kind].nodal:
-            found[layout.members[kind]] = body.dt_over_mass.any(axis=1)
+            free[layout.members[kind]] = body.dt_over_mass.any(axis=1)
     if tets is None:
-        return found
-    return np.concatenate([found, bodies.tets.dt_over_mass.any(axis=1)[tets.node].any(axis=1)])
+        return free
+    return np.concatenate([free, bodies.tets.dt_over_mass.any(axis=1)[tets.node].any(axis=1)])
 
 
 def sizes_of(layout: Layout, tets: SurfaceTets | None) -> np.ndarray:

@@ -139,8 +139,8 @@ def with_dashpots(
 
     Local damping answers with up to (1 + damping) times the force, that of dashpots as well.
     """
-    found = {}
+    row_sums = {}
     for kind, stiffness in sums.items():
         mass = masses[kind] / (1.0 + damping)
-        found[kind] = (np.sqrt(rates[kind] ** 2 + 4.0 * stiffness * mass) + rates[kind]) ** 2 / (4.0 * mass)
-    return found
+        row_sums[kind] = (np.sqrt(rates[kind] ** 2 + 4.0 * stiffness * mass) + rates[kind]) ** 2 / (4.0 * mass)
+    return row_sums
