@@ -29,7 +29,7 @@ class WrittenOfBodies(NamedTuple):
 
 
 class WrittenOfMotion(NamedTuple):
-    """Of Motion, where some blocks deform: gathered of all kinds at each step, and looked at by rows and frames before
+    """Of BlockMotion, where some blocks deform: gathered of all kinds at each step, and looked at by rows and frames before
     the next one."""
 
     moved: np.ndarray

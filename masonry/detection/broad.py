@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.pieces import Pieces
+from masonry.detection.pieces import ConvexPieces
 from masonry.jit.compiler import inner, jit
 
 LARGE = 4.0
@@ -18,7 +18,7 @@ WINDOW = 3.0
 """Standard deviations of the places on both sides of the mean that cells cover."""
 
 
-class Cells(NamedTuple):
+class BoxGrid(NamedTuple):
     """Room for M boxes: low, high (M, 3) m; owner (M,): boxes of one owner are no pair; the rest is scratch."""
 
     low: np.ndarray
@@ -33,17 +33,17 @@ class Cells(NamedTuple):
     sorted: np.ndarray
 
 
-def cells_of(owner: np.ndarray, most_pairs: int) -> Cells:
+def cells_of(owner: np.ndarray, most_pairs: int) -> BoxGrid:
     """Room for one box for each entry of owner (M,), and for so many pairs."""
     m = len(owner)
-    return Cells(
+    return BoxGrid(
         np.zeros((m, 3)), np.zeros((m, 3)), owner.astype(np.int64), np.zeros((m, 3), dtype=np.int64),
         np.zeros(8 * m + 66, dtype=np.int64), np.zeros(m, dtype=np.int64), np.zeros(m, dtype=np.int64),
         np.zeros((3, 3)), np.zeros(m + 1, dtype=np.int64), np.zeros(most_pairs, dtype=np.int64),
     )  # fmt: skip
 
 
-def cells_for(pieces: Pieces, most_pairs: int) -> Cells:
+def cells_for(pieces: ConvexPieces, most_pairs: int) -> BoxGrid:
     """Room for the boxes of some pieces; pieces of one block are no pair."""
     return cells_of(pieces.block[pieces.body], most_pairs)
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.detection.clip import clip
 from masonry.detection.features import OTHER
-from masonry.detection.pieces import Pieces
+from masonry.detection.pieces import ConvexPieces
 from masonry.jit.compiler import inlined, inner
 
 
@@ -56,12 +56,12 @@ class Common(NamedTuple):
     bv: float
 
 
-def most_points(pieces: Pieces) -> int:
+def most_points(pieces: ConvexPieces) -> int:
     """The most contact points that one pair of pieces can have."""
     return 2 * int(np.diff(pieces.loop_start).max(initial=3)) + 1
 
 
-def scratch_of(pieces: Pieces) -> Scratch:
+def scratch_of(pieces: ConvexPieces) -> Scratch:
     """Room for any pair of these pieces."""
     k = 2 * most_points(pieces)
     numbers = np.zeros((2, k)), np.zeros((2, k)), np.zeros((2, k), dtype=np.int64), np.zeros(k), np.zeros(k)

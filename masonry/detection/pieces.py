@@ -23,7 +23,7 @@ EQUAL_PLACES = 6
 """Digits of a place, in sizes of a block, by which blocks are put in order: rounding is no difference."""
 
 
-class Pieces(NamedTuple):
+class ConvexPieces(NamedTuple):
     """P convex pieces of N bodies, with V corners, F faces and E edges in all.
 
     body          (P,) number of the body; its pieces are piece_start[body]..piece_start[body + 1]
@@ -65,7 +65,7 @@ class Pieces(NamedTuple):
     snap: np.ndarray
 
 
-def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray | None = None) -> Pieces:
+def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray | None = None) -> ConvexPieces:
     """The convex pieces of some blocks: one for a convex block, several for another; of a meshed one its outer tets.
 
     tets, nodes  the bodies behind those of the blocks, and (., 3) m the nodes of their mesh. A block with such tets has
@@ -101,7 +101,7 @@ def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray
     return _flat(pieces, np.concatenate([origin, tets.centre]), np.concatenate([own, tets.block]))
 
 
-def _flat(pieces: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> Pieces:
+def _flat(pieces: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> ConvexPieces:
     """All pieces in one set of arrays; block (N,) of the bodies."""
     body = np.array([b for b, _, _ in pieces], dtype=np.int64)
     vertices = [part.corners - origin[b] for b, part, _ in pieces]
@@ -121,7 +121,7 @@ def _flat(pieces: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, bloc
     rank = np.empty(len(pieces), dtype=np.int64)
     by_place = np.lexsort(np.round(place / radius.mean(), EQUAL_PLACES).T[::-1])
     rank[np.arange(len(pieces)) if meshed else by_place] = np.arange(len(pieces))
-    return Pieces(
+    return ConvexPieces(
         body, np.searchsorted(body, np.arange(len(origin) + 1)), rank, vertex_start, vertex, face_start,
         loop_start, loop, normal, inner, _starts(map(len, edges)),
         np.array([edge for some in edges for edge in some], dtype=np.int64).reshape(-1, 4), centre, radius, reach,

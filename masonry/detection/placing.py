@@ -5,16 +5,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.pieces import Pieces
+from masonry.detection.pieces import ConvexPieces
 from masonry.jit.compiler import inner, jit
 
 ALIKE = 1e-6
 """Of their size: difference of two blocks that are as large as each other."""
 
 
-class Turned(NamedTuple):
+class TurnedPieces(NamedTuple):
     """Corners (V, 3) and centres (P, 3), m from the position of their body, turned; normals (F, 3) and offsets (F,):
-    normal . corner = offset on face f. For V corners, P pieces, F faces of `Pieces`.
+    normal . corner = offset on face f. For V corners, P pieces, F faces of `ConvexPieces`.
     """
 
     vertex: np.ndarray
@@ -23,11 +23,11 @@ class Turned(NamedTuple):
     offset: np.ndarray
 
 
-def turned_of(pieces: Pieces) -> Turned:
+def turned_of(pieces: ConvexPieces) -> TurnedPieces:
     """The pieces as they were built, frame = 1."""
     first = pieces.vertex[pieces.loop[pieces.loop_start[:-1]]]
     offset = np.einsum("fi,fi->f", pieces.normal, first)
-    return Turned(pieces.vertex.copy(), pieces.centre.copy(), pieces.normal.copy(), offset)
+    return TurnedPieces(pieces.vertex.copy(), pieces.centre.copy(), pieces.normal.copy(), offset)
 
 
 @inner

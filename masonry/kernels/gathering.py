@@ -3,7 +3,7 @@
 A block of tets is as many bodies as it has tets at its surface: each moves as an affine block, x = sum of N_i x_i, and
 hands a force at its material point X to its nodes as N_i(X) times that.
 
-Scenes of rigid blocks alone do without: there the arrays of the bodies are those of Motion.
+Scenes of rigid blocks alone do without: there the arrays of the bodies are those of BlockMotion.
 """
 
 from math import sqrt

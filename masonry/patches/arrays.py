@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.detection.broad import Cells
+from masonry.detection.broad import BoxGrid
 from masonry.detection.overlap import Scratch
-from masonry.detection.pieces import Pieces
-from masonry.detection.placing import Turned
+from masonry.detection.pieces import ConvexPieces
+from masonry.detection.placing import TurnedPieces
 from masonry.jit.compiler import inlined, inner
 from masonry.patches.pairs import PatchPairs
 from masonry.simd import FOUR
@@ -58,7 +58,7 @@ class Rules(NamedTuple):
     cohesion: np.ndarray | None = None
 
 
-class Motion(NamedTuple):
+class BlockMotion(NamedTuple):
     """How B blocks stand and move: rigid ones, or with `dual` and what follows blocks of which some deform.
 
     Rows of moved, v and push may have more room than numbers.
@@ -154,14 +154,14 @@ class FormerPatch(NamedTuple):
 class Near(NamedTuple):
     """All of what blocks meet; `before` is room for the pairs of the last search; account (5,) J."""
 
-    pieces: Pieces
-    turned: Turned
-    cells: Cells
+    pieces: ConvexPieces
+    turned: TurnedPieces
+    cells: BoxGrid
     pairs: PatchPairs
     before: PatchPairs
     points: PatchPoints
     rules: Rules
-    motion: Motion
+    motion: BlockMotion
     search: Search
     footprint: Footprint
     former: FormerPatch

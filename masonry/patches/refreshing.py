@@ -124,8 +124,8 @@ def on_stale_face(pairs, search, p):
 
 @jit
 def count_travel(motion, dt, strain=None):
-    """Add to each block's travel what this step can add to it at most; strain as in Motion. Returns a bound (m) of what
-    it adds to any of them: up to eight times the most."""
+    """Add to each block's travel what this step can add to it at most; strain as in BlockMotion. Returns a bound (m) of
+    what it adds to any of them: up to eight times the most."""
     together, most, last = len(motion.travel) // EIGHT * EIGHT, filled(0.0, eight()), 0.0
     for b in range(0, together, EIGHT):
         most = maximum(most, travel_on(motion, eight_rows(b), dt, strain))

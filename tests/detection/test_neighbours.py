@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.detection.broad import cells_for, cells_of, near_pairs, write_boxes
-from masonry.patches.arrays import Motion
+from masonry.patches.arrays import BlockMotion
 from masonry.patches.refreshing import count_travel, farthest
 from tests.detection.touching import Bodies, box_blocks, cells, random_turn, turn
 
@@ -91,7 +91,7 @@ def test_no_contact_is_missed_before_the_neighbours_are_found_anew():
     travel, steps = np.zeros(count), 0
     way, axis = rng.normal(size=(count, 3)), rng.normal(size=(count, 3))
     v, reach = np.concatenate([way, axis], axis=1), bodies.pieces.reach
-    motion = Motion(np.zeros((count, 3)), v, bodies.frame, v, v, reach, travel)
+    motion = BlockMotion(np.zeros((count, 3)), v, bodies.frame, v, v, reach, travel)
     while farthest(travel, np.zeros(count)) <= skin:
         count_travel(motion, 0.001)
         for b in range(count):
@@ -109,6 +109,6 @@ def test_no_contact_is_missed_before_the_neighbours_are_found_anew():
 def test_two_bodies_that_come_nearer_by_more_than_the_skin_are_noticed():
     v, travel, reach = np.zeros((5, 6)), np.zeros(5), np.full(5, 0.4)
     v[1, :2], v[3, 5] = (0.3, 0.4), -1.0
-    count_travel(Motion(v[:, :3], v, v, v, v, reach, travel), 0.1)
+    count_travel(BlockMotion(v[:, :3], v, v, v, v, reach, travel), 0.1)
     assert travel == pytest.approx([0, 0.05, 0, 0.04, 0])
     assert 0.089 < farthest(travel, np.zeros(5)) < 0.091

@@ -7,7 +7,7 @@ from masonry.kernels.gathering import Members
 from masonry.model.arrays import Bodies, whole_rows
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
-from masonry.patches.arrays import Motion
+from masonry.patches.arrays import BlockMotion
 
 
 def outer_tets(layout: Layout) -> SurfaceTets | None:
@@ -17,17 +17,17 @@ def outer_tets(layout: Layout) -> SurfaceTets | None:
 
 def motion_of(
     layout: Layout, bodies: Bodies, reach: np.ndarray, tets: SurfaceTets | None
-) -> tuple[Motion, Members | None]:
+) -> tuple[BlockMotion, Members | None]:
     """Motion of all bodies, and which block is of which kind where some deform; reach (N,) m, see Members."""
     rigid, centre = bodies.rigid, layout.centroid.copy()
     if not layout.deforms.any():
         rows = (whole_rows(rigid.q), rigid.frame, whole_rows(rigid.v), whole_rows(rigid.patches))
-        return Motion(centre, *rows, reach.copy(), np.zeros(len(reach))), None
+        return BlockMotion(centre, *rows, reach.copy(), np.zeros(len(reach))), None
     none = np.zeros((0, 4), dtype=np.int64), np.zeros((0, 4, 3)), np.zeros((0, 3))
     node, slope, own = none if tets is None else (tets.node.astype(np.int64), tets.slope, tets.centre)
     count = len(reach)
     straight = [np.tile(np.eye(3), (count, 1, 1)) for _ in range(2)]
-    motion = Motion(
+    motion = BlockMotion(
         centre=np.concatenate([centre, own]),
         moved=np.zeros((count, 3)),
         frame=straight[0],
