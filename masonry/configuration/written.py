@@ -29,8 +29,8 @@ class WrittenOfBodies(NamedTuple):
 
 
 class WrittenOfMotion(NamedTuple):
-    """Of BlockMotion, where some blocks deform: gathered of all kinds at each step, and looked at by rows and frames before
-    the next one."""
+    """Of BlockMotion, where some blocks deform: gathered of all kinds at each step, and looked at by rows and frames
+    before the next one."""
 
     moved: np.ndarray
     frame: np.ndarray

@@ -1,8 +1,6 @@
 """What is known of a pair goes with it, in whatever column: as it is copied, as room grows, as neighbours change, as a
 run is kept and goes on. Each column of each pair has a number of its own."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from masonry.assembly.assemble import assemble
@@ -71,7 +69,7 @@ def test_more_room_for_pairs_keeps_all_columns():
     fill(near.pairs)
     before, room = columns(near.pairs), len(near.pairs.slot)
     near.search.refusal[REASON], near.search.refusal[ROOM] = NEED_PAIRS, 3 * room
-    make_room(model)
+    make_room(model, model.large)
     assert len(model.large.near.pairs.slot) == 6 * room
     assert_same(columns(model.large.near.pairs), before)
 
@@ -107,7 +105,7 @@ def test_a_run_that_is_kept_goes_on_with_all_columns_however_much_room_it_had():
     fill(near.pairs)
     kept = model_state.state(model)
     assert {f"pairs.{name}" for name in COLUMNS} < kept.keys()
-    other.large = replace(other.large, near=other.large.near._replace(pairs=no_pairs(1)))
+    other.large.near = other.large.near._replace(pairs=no_pairs(1))
     model_state.restore(other, kept)
     assert other.large.near.pairs.number[0] == 5
     assert_same(columns(other.large.near.pairs), columns(near.pairs))
