@@ -158,7 +158,7 @@ def _files(places: list[str]) -> int:
 
 
 COUNTS: dict[str, Callable[[Source], int]] = {
-    "lines of masonry that read .large": lambda s: len(lines_that_match(s, r"\.large\b")),
+    "lines of masonry that read .large": lambda s: len(lines_that_match(s, r"^(?!\s*(from|import) ).*\.large\b")),
     "files of masonry that compare .large with None": lambda s: _files(lines_that_match(s, r"\blarge is (not )?None")),
     "asserts that .large is there": lambda s: len(lines_that_match(s, r"assert .*large is not None")),
     "comparisons with a word for a kind of deformation or displacement": lambda s: len(compared_with_kinds(s)),
