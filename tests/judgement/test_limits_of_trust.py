@@ -155,7 +155,11 @@ def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers)
         (DRIVEN, {"met": "block 1 and block 2 meet"}, "block 1 and block 2 meet: nothing holds them apart"),
         (GROWN, {"collapse_load__falls": None}, "nothing fell up to the factor at which the load ends"),
         (GROWN, {"collapse_load__borne": 0.0}, "not the least part of the load was borne"),
-        (GROWN, {"collapse_load__undecided": 1}, "in 1 trials the specimen neither came to rest nor gathered speed"),
+        (
+            GROWN,
+            {"collapse_load__undecided": 1},
+            "in 1 of the trials the specimen neither came to rest nor gathered speed",
+        ),
         (GROWN, {"collapse_load__falls_by_turning": True}, "at the factor that is not borne a block turned by more"),
         (LED, {"collapse_load__branch__leaps": 2}, "the specimen leapt ahead of gauge 'top' 2 times"),
         (LED, {"collapse_load__branch__ends": "stays"}, "the collapse hardly moves gauge 'top'"),
