@@ -8,8 +8,8 @@ from masonry.judgement.doubts.collapse.no_collapse import has_factor
 UNDECIDED = Criterion(
     name="undecided_trials",
     measure=lambda evidence: evidence.number("collapse_load.undecided"),
-    sentence="in {value:g} of the trials the specimen neither came to rest nor gathered speed in time, and counts as one that "
-    "falls: the factor may be larger",
+    sentence="in {value:g} of the trials the specimen neither came to rest nor gathered speed in time, and counts as "
+    "one that falls: the factor may be larger",
     asked_of=lambda evidence: has_factor(evidence) and evidence.falls,
 )
 FALLS_BY_TURNING = Criterion(
