@@ -16,7 +16,7 @@ from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling import settled
 from masonry.laboratory.summary.provenance import provenance_of
-from masonry.laboratory.summary.summary import add_tilt, summarise
+from masonry.laboratory.summary.run_summary import add_tilt, summarise
 from masonry.laws.dispatch import word_of
 from masonry.model.damping import damping_words
 from masonry.results.data import properties_by_group
@@ -159,35 +159,38 @@ def scatter_lines(assembly: Assembly) -> list[str]:
 
 def left_out(assembly: Assembly) -> list[str]:
     """What this scene does not use, and the step compiled for it therefore does not contain."""
-    m, out = assembly.model, []
-    for kind, body in zip(("rigid blocks", "affine blocks", "tets"), m.bodies, strict=True):
-        if body is None:
-            out.append(f"{kind}: no such loops, no such degrees of freedom")
-    if all(body is None or body.load is None for body in m.bodies):
-        out.append("dead loads (gravity, traction): no load arrays, no work")
-    elif not m.varying:
-        out.append("loads that vary: dead loads stay as they are")
-    if m.damping is None:
-        out.append("damping")
-    if all(drive is None for drive in m.drives):
-        out.append("drive")
-    if all(body is None or body.guess is None for body in m.bodies):
-        out.append("expected motion: a drive at a rate or in steps does not need it")
-    for name, joint in zip(m.group_names, m.groups.properties, strict=True):
-        lacks = []
+    m, bodies = assembly.model, [body for body in assembly.model.bodies if body is not None]
+    loaded = any(body.load is not None for body in bodies)
+    kinds = zip(("rigid blocks", "affine blocks", "tets"), m.bodies, strict=True)
+    absent = {
+        **{f"{kind}: no such loops, no such degrees of freedom": body is None for kind, body in kinds},
+        "dead loads (gravity, traction): no load arrays, no work": not loaded,
+        "loads that vary: dead loads stay as they are": loaded and not m.varying,
+        "damping": m.damping is None,
+        "drive": all(drive is None for drive in m.drives),
+        "expected motion: a drive at a rate or in steps does not need it": all(body.guess is None for body in bodies),
+        **{line: True for line in _left_out_of_contacts(assembly)},
+        "scatter: all contacts of a group have the same properties": not assembly.drawn,
+        "turned principal axes": all(getattr(body, "axes", None) is None for body in bodies),
+    }
+    return [words for words, is_absent in absent.items() if is_absent]
+
+
+def _left_out_of_contacts(assembly: Assembly) -> list[str]:
+    """A line for each group of contacts whose law lacks something."""
+    lines = []
+    for name, joint in zip(assembly.model.group_names, assembly.model.groups.properties, strict=True):
+        options = {
+            "dilation": joint.tan_dilation,
+            "plastic opening": joint.elastic_unloading,
+            "shared loss of tension and cohesion": joint.combined,
+        }
+        lacks = [words for words, value in options.items() if value is None]
         if joint.tensile_strength is None:
             lacks = ["strength", "softening", "history"]
-        else:
-            lacks += ["dilation"] if joint.tan_dilation is None else []
-            lacks += ["plastic opening"] if joint.elastic_unloading is None else []
-            lacks += ["shared loss of tension and cohesion"] if joint.combined is None else []
         if lacks:
-            out.append(f"contacts {name}: no {', no '.join(lacks)}")
-    if not assembly.drawn:
-        out.append("scatter: all contacts of a group have the same properties")
-    if all(body is None or getattr(body, "axes", None) is None for body in m.bodies):
-        out.append("turned principal axes")
-    return out
+            lines.append(f"contacts {name}: no {', no '.join(lacks)}")
+    return lines
 
 
 def compiled(assembly: Assembly) -> list[str]:

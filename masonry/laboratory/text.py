@@ -12,7 +12,7 @@ from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
 from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
-from masonry.results.summary import FirstFall, Readings, SuddenCrack, Summary
+from masonry.results.summary import FirstFall, Readings, Summary
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
@@ -97,27 +97,44 @@ def summary_text(summary: Summary) -> str:
 
 
 def summary_rows(summary: Summary) -> Rows:
-    """The same, row by row."""
-    driven, grown, cracks = has_drive(summary), summary.collapse_load, summary.sudden_cracks
-    branch = grown.get("branch") if grown else None
-    return [
+    """The same, row by row; what there is nothing to say of is left out."""
+    driven = has_drive(summary)
+    rows = [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
-        *([("load factor", factor_text(grown, bool(summary.interrupted)))] if grown else []),
-        *([("past the collapse", [branch_text(branch)])] if branch else []),
-        *([("cycles", [cycles_text(summary.cycles)])] if summary.cycles else []),
-        *([("tilt of gravity", [tilt_text(summary.tilt_rad, " at the end")])] if summary.tilt_rad is not None else []),
-        *([("collapse", [collapse_text(summary.collapse, summary.section_m2)])] if summary.collapse else []),
+        *_collapse_rows(summary),
         *((name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()),
-        *([("work of dead loads", [words])] if driven and (words := loads_text(summary)) else []),
-        ("energy balance", [f"open by {_number(summary.energy_imbalance, 1.0, 'of the external work')}"]),
-        *([("force balance", [balance_text(summary)])] if summary.force_balance is not None else []),
+        *_balance_rows(summary, driven),
         *(_slow_rows(summary) if driven and not summary.in_real_time else []),
-        *([("accuracy", [accuracy_text(summary)])] if summary.control and driven else []),
-        *([("sudden cracks", [sudden_text(cracks, summary.released_over_dissipated)])] if cracks else []),
+        ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
+        ("sudden cracks", [sudden_text(summary)] if summary.sudden_cracks else []),
         ("steps", ["not known" if summary.steps is None else f"{summary.steps}"]),
         ("time", [f"{_seconds(summary.seconds_run)} run + {_seconds(summary.seconds_compile)} compile"]),
         ("trust", [trust(summary)]),
-        *([("advice", lines)] if (lines := advice(summary)) else []),
+        ("advice", advice(summary)),
+    ]
+    return [(name, lines) for name, lines in rows if lines]
+
+
+def _collapse_rows(summary: Summary) -> Rows:
+    """The factor of a load that grew, cycles, the tilt, and what fell."""
+    grown = summary.collapse_load or {}
+    branch, tilt = grown.get("branch"), summary.tilt_rad
+    return [
+        ("load factor", factor_text(grown, bool(summary.interrupted)) if grown else []),
+        ("past the collapse", [branch_text(branch)] if branch else []),
+        ("cycles", [cycles_text(summary.cycles)] if summary.cycles else []),
+        ("tilt of gravity", [] if tilt is None else [tilt_text(tilt, " at the end")]),
+        ("collapse", [collapse_text(summary.collapse, summary.section_m2)] if summary.collapse else []),
+    ]
+
+
+def _balance_rows(summary: Summary, driven: bool) -> Rows:
+    """Energies and forces that add up."""
+    loads = loads_text(summary) if driven else ""
+    return [
+        ("work of dead loads", [loads] if loads else []),
+        ("energy balance", [f"open by {_number(summary.energy_imbalance, 1.0, 'of the external work')}"]),
+        ("force balance", [] if summary.force_balance is None else [balance_text(summary)]),
     ]
 
 
@@ -277,15 +294,15 @@ def damping_words(fraction: float | None) -> str:
     return f"damping gave {percent(-fraction)} of the work, by pulling along what lagged behind the drive"
 
 
-def sudden_text(cracks: list[SuddenCrack], released: float | None) -> str:
-    """How many sudden cracks there were, where and when the largest came, and what they released, as a share of all
-    energy that was lost."""
+def sudden_text(summary: Summary) -> str:
+    """How many sudden cracks there were, what they released, and where and when the largest came."""
+    cracks = summary.sudden_cracks or []
     largest = max(cracks, key=lambda crack: crack.released_j)
     what = "one" if len(cracks) == 1 else f"{len(cracks)}, the largest"
     place = largest.place or "where a contact slipped or opened without a crack"
     return (
         f"{what} at {1e3 * largest.displacement_m:.4g} mm, {place}; together they released "
-        f"{_share(released)} of all energy that was lost"
+        f"{_share(summary.released_over_dissipated)} of all energy that was lost"
     )
 
 

@@ -1,6 +1,6 @@
 """What summary.json holds, in SI: a record of one part after another. docs/results.md says what each number means.
 
-Each part is made by the file of its name in masonry/laboratory/summary/. None is what was not measured in a run, what
+Each part is made by a file of masonry/laboratory/summary/. None is what was not measured in a run, what
 does not apply to it, and what an older version did not write.
 """
 
@@ -125,7 +125,7 @@ class SuddenCrack(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Cracks(Record):
+class Damage(Record):
     """What broke, opened and slid."""
 
     sudden_cracks: list[SuddenCrack] | None = list_of(SuddenCrack)
@@ -165,7 +165,7 @@ class FirstFall(Moment):
 
 
 @dataclass(frozen=True, eq=False)
-class Motion(Record):
+class Movements(Record):
     """How far blocks moved, what they met, and what fell."""
 
     rotation_max_rad: float | None = None
@@ -187,5 +187,5 @@ class Trust(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Summary(Trust, Motion, Cracks, Rest, Energies, Forces, Extremes, Course, Description):
+class Summary(Trust, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.laboratory.summary.summary import summarise
+from masonry.laboratory.summary.run_summary import summarise
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.monitors.events import Event
@@ -166,6 +166,6 @@ def test_blocks_that_move_by_a_twentieth_of_the_fastest_belong_to_the_mechanism(
         mechanism=np.array([0.0505, 0.0495, 1.0]),
         branch=None,
     )
-    found = outcome.summary({}, sets)["collapse_load"]
+    found = outcome.collapse_load({}, sets)
     assert (found["moving"], found["first"], found["sets"]) == (2, 2, ["all", "top"])
     assert (found["borne"], found["falls"], found["trials"], found["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)

@@ -8,7 +8,7 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
 from masonry.laboratory.cost import expected
-from masonry.laboratory.summary.summary import summarise
+from masonry.laboratory.summary.run_summary import summarise
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan
 from masonry.loading.varying_loads import SharedLoads

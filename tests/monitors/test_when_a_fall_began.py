@@ -5,7 +5,7 @@ import pytest
 
 import masonry
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.laboratory.summary.motion import LATE, not_known
+from masonry.laboratory.summary.movements import LATE, not_known
 from masonry.laboratory.text import collapse_text
 from masonry.results.summary import FirstFall, Moment
 from masonry.scene import load as load_scene

@@ -9,7 +9,7 @@ from masonry.judgement.scales import Scales
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 from masonry.monitors import events
 from masonry.results.joint_resultants import unit_joints
-from masonry.results.summary import Cracks, SuddenCrack
+from masonry.results.summary import Damage, SuddenCrack
 from masonry.timeloop.recording import Outcome
 
 BROKEN, DAMAGED = 0.95, 0.05
@@ -21,10 +21,10 @@ MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 
 
-def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[SuddenCrack]) -> Cracks:
+def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[SuddenCrack]) -> Damage:
     """Sudden cracks, broken areas, slips."""
     joints, frames, observed = assembly.model.joints, outcome.history.frames, outcome.observed
-    return Cracks(
+    return Damage(
         sudden_cracks=sudden,
         released_over_dissipated=released_by(sudden) / scales.lost if sudden and scales.lost > 0.0 else 0.0,
         joints_opened_or_slid=_opened_or_slid(assembly),

@@ -8,7 +8,7 @@ from masonry.laboratory.summary.description import course, description
 from masonry.laboratory.summary.energies import energies
 from masonry.laboratory.summary.extremes import extremes
 from masonry.laboratory.summary.forces import forces
-from masonry.laboratory.summary.motion import motion
+from masonry.laboratory.summary.movements import movements
 from masonry.laboratory.summary.rest import rest
 from masonry.results.summary import Summary
 from masonry.rows.columns import TILT
@@ -27,7 +27,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> Summary:
         **energies(assembly, outcome, scales, released_by(sudden)),
         **rest(assembly, outcome),
         **cracks(assembly, outcome, scales, sudden),
-        **motion(assembly, outcome),
+        **movements(assembly, outcome),
     )
 
 

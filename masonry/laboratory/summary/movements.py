@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.results.summary import FirstFall, Moment, Motion
+from masonry.results.summary import FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
 
@@ -17,10 +17,10 @@ not known where the fall began."""
 STEADILY = "it went down no faster than the drive made it, so it may stand"
 
 
-def motion(assembly: Assembly, outcome: Outcome) -> Motion:
+def movements(assembly: Assembly, outcome: Outcome) -> Movements:
     """The largest turn and overlap; in large displacement whether it is a motion in time, and what fell."""
     observed, large = outcome.observed, assembly.scene.is_large
-    return Motion(
+    return Movements(
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),
         met=outcome.found.get("met", ""),
