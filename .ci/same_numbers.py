@@ -52,10 +52,11 @@ def numbers(summary: Summary) -> dict[str, tuple[float, float]]:
     """What is compared, by name: the number, and the size against which a difference counts."""
     energy = summary["energy_j"]
     work = max(abs(energy["external_work"]), summary.get("work_of_force_j") or 0.0)
-    stress = max(abs(summary["peak_stress_pa"]), abs(summary["lowest_stress_pa"]))
+    peak, lowest, final = (summary[f"{key}_stress_pa"] or 0.0 for key in ("peak", "lowest", "final"))
+    stress = max(abs(peak), abs(lowest))  # nothing without a drive
     found = {
-        "peak": (summary["peak_stress_pa"], stress),
-        "final": (summary["final_stress_pa"], stress),
+        "peak": (peak, stress),
+        "final": (final, stress),
         "work": (energy["external_work"], work),
         "dissipated": (sum(energy[key] for key in FRACTURE), work),
         "broken area": (sum(summary["broken_area_m2"].values()), sum(summary["damaged_area_m2"].values())),

@@ -61,10 +61,11 @@ def asked(scene: Scene) -> float:
 def numbers(summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
     """By name: a number that does not depend on axes and numbering, and the size against which a difference counts."""
     energy, fell, load = summary["energy_j"], summary.get("collapse"), summary.get("collapse_load")
-    force = max(abs(summary["peak_stress_pa"]), abs(summary["lowest_stress_pa"]))
+    peak, lowest, final = (summary[f"{key}_stress_pa"] or 0.0 for key in ("peak", "lowest", "final"))
+    force = max(abs(peak), abs(lowest))  # nothing without a drive
     value = {
-        "peak": (summary["peak_stress_pa"], force),
-        "lowest": (summary["lowest_stress_pa"], force),
+        "peak": (peak, force),
+        "lowest": (lowest, force),
         "blocks": (summary["blocks"], 1.0),
         "contacts": (summary["contacts"], 1.0),
     }
@@ -75,7 +76,7 @@ def numbers(summary: dict[str, Any]) -> dict[str, tuple[float, float]]:
         value["moving"] = (load["moving"], 1.0)
     if fell is None and (load is None or load["falls"] is None):  # else they hang on how it falls
         work = abs(energy["external_work"])
-        value["final"] = (summary["final_stress_pa"], force)
+        value["final"] = (final, force)
         value["elastic energy"] = (energy["elastic_contacts"], energy["elastic_contacts"])
         value["friction"] = (energy["friction"], work)
         value["overlap"] = (summary["overlap_max"], summary["overlap_max"])

@@ -73,7 +73,7 @@ def sort_of(one: SceneRun) -> str:
     summary = one.summary
     if float(summary["step_fraction"]) > 1.0:
         return BEYOND
-    if float(summary["kinetic_over_internal_max"]) > FAST:
+    if (summary["kinetic_over_internal_max"] or 0.0) > FAST:
         return ROUGH
     return SUDDEN if "brittle" in summary["law_by_group"].values() else QUIET
 
