@@ -8,6 +8,7 @@ import numpy as np
 from geometry.specimens.placed import FLOOR
 from masonry.pictures.camera import box_of, usual_view
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
+from masonry.pictures.drawing import Drawing
 from masonry.pictures.front import FlatDrawing, group_colours
 from masonry.pictures.large.drawing import MovedDrawing
 from masonry.pictures.large.scale_bar import draw_scale_bar
@@ -30,7 +31,6 @@ LITTLE = 4.0
 """How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
-Drawing = FlatDrawing | SolidDrawing | MovedDrawing
 
 
 def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
@@ -192,7 +192,7 @@ def travelled_fraction(rows: dict[str, np.ndarray], frame: Frame) -> float:
 
 def thrusts_of(drawing: Drawing, frames: Sequence[Frame]) -> list[ThrustLine]:
     """The thrust line of a drawing, where one of the frames has any of it."""
-    if isinstance(drawing, SolidDrawing) or drawing.thrust is None:
+    if drawing.thrust is None:
         return []
     return [drawing.thrust] if any(np.isfinite(drawing.forces_at(frame, 1.0)).any() for frame in frames) else []
 

@@ -10,7 +10,8 @@ from geometry.polyhedra.indexing import ranges
 from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_lines import CrackLines, Outlines, crack_lines, outlines
 from masonry.pictures.crack_style import draw_cracks
-from masonry.pictures.thrust_line import ThrustLine, thrust_line
+from masonry.pictures.drawing import Drawing
+from masonry.pictures.thrust_line import thrust_line
 from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
 from masonry.rows.history import Frame
 
@@ -22,36 +23,27 @@ COLOURS = {"units": "#f2e2c9", "mortar": "#dfe8dc"}
 SPARE_COLOURS = ("#e6dff0", "#e3ecd2", "#f6dcdc", "#d8e8ea", "#f7f0c8")
 
 
-class FlatDrawing:
+class FlatDrawing(Drawing):
     """Draws the frames of one result from the front or from behind."""
 
     def __init__(self, result: "ResultData", view: str = "front") -> None:
         self.result = result
         self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
         self.outlines = outlines(result.specimen.blocks, self.camera)
-        self.thrust: ThrustLine | None = thrust_line(result, self.camera)
+        self.thrust = thrust_line(result, self.camera)
 
     def cracks(self, frame: Frame) -> CrackLines:
-        """The contacts to draw."""
         frame = as_it_stands(self.result, frame)
         lines = crack_lines(self.result.joints, frame, self.camera)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
         return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, its cracks and its thrust line.
-
-        scale  opening (m) of a line of full width
-        """
         blocks = self.result.specimen.blocks
         _draw_blocks(axes, blocks, self.outlines, self.camera.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.camera, times, scale)
         if self.thrust is not None:
             self.thrust.draw(axes, self.camera.project(self.forces_at(frame, times)))
-
-    def forces_at(self, frame: Frame, times: float) -> np.ndarray:
-        """(J, 3) m, where the thrust line or its marks are drawn; not a number where nothing is."""
-        return np.zeros((0, 3)) if self.thrust is None else self.thrust.displaced(self.result, frame, times)
 
 
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:

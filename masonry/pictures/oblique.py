@@ -3,6 +3,7 @@
 The damaged parts of the joints themselves are drawn first: they show where the faces before them have parted.
 """
 
+from abc import abstractmethod
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.pictures.camera import iso_view
 from masonry.pictures.crack_style import crack_colours, widths
+from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.results.deformation import BlockCorners, Deformation
@@ -41,50 +43,82 @@ class JointCracks:
     dry: np.ndarray
 
 
-class SolidDrawing:
-    """Draws the frames of one result."""
+class FacesDrawing(Drawing):
+    """Draws faces from the farthest to the nearest, each with the cracks that come out on it.
+
+    start, tile  the corners (m) of the tiles of all contacts, and where those of each begin
+    """
+
+    shape: BlockCorners
+    start: np.ndarray
+    tile: np.ndarray
+
+    @abstractmethod
+    def pieces(self, frame: Frame, times: float) -> list[Piece]:
+        """The faces to draw, farthest first, displacements `times` larger."""
+
+    @abstractmethod
+    def last_pieces(self, frame: Frame, times: float, pieces: list[Piece]) -> np.ndarray:
+        """(E,) for the edge after each corner of a tile the number of the piece that it is drawn after, -1 for none."""
+
+    def canvas(self) -> FaceDrawing:
+        """What pieces are added to."""
+        return FaceDrawing(self.result.specimen.blocks, self.camera)
+
+    def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
+        pieces, faces = self.pieces(frame, times), self.canvas()
+        owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
+        sides = Deformation(self.shape, frame).sides(self.result.joints, cracks.contact[owner], self.tile[corner])
+        places = self.tile[corner] + 0.5 * times * (sides[0] + sides[1])
+        starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
+        self.draw_joints(faces, cracks, np.split(places, starts[1:-1]))
+        lines = crack_edges(cracks, places, starts, self.last_pieces(frame, times, pieces)[corner], scale)
+        for number, piece in enumerate(pieces):
+            faces.add_piece(piece)
+            for line in lines.get(number, ()):
+                faces.add_line(*line)
+        faces.draw(axes)
+        self.draw_thrust(axes, frame, times, pieces)
+
+    def draw_joints(self, faces: FaceDrawing, cracks: JointCracks, tiles: list[np.ndarray]) -> None:
+        """What is seen of the joints of some cracks, whose tiles are given, behind all faces: nothing."""
+
+    def draw_thrust(self, axes: Any, frame: Frame, times: float, pieces: list[Piece]) -> None:
+        """Draw the thrust line in front of these faces: none."""
+
+
+class SolidDrawing(FacesDrawing):
+    """Of small displacement: which face hides which is found once."""
 
     def __init__(self, result: "ResultData") -> None:
         blocks, joints = result.specimen.blocks, result.joints
         self.result, self.camera = result, iso_view(blocks.points)
         size = self.camera.size
         self.shape = BlockCorners(blocks)
-        self.pieces = visible_pieces(blocks, joints, self.camera)
-        self.piece_block = blocks.face_block()[[piece.face for piece in self.pieces]]
+        self.visible = visible_pieces(blocks, joints, self.camera)
+        self.piece_block = blocks.face_block()[[piece.face for piece in self.visible]]
         self.start, self.tile = tiles(joints)
-        last = _last_beside(blocks, self.pieces, 1e-5 * size)
+        last = _last_beside(blocks, self.visible, 1e-5 * size)
         self.after = edges_on_faces(blocks, joints, self.start, self.tile, last, 1e-6 * size)
 
     def cracks(self, frame: Frame) -> JointCracks:
-        """The contacts to draw."""
         return joint_cracks(self.result, frame)
 
-    def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, and its cracks; `scale` is the opening (m) of full width."""
-        faces = FaceDrawing(self.result.specimen.blocks, self.camera)
-        field = Deformation(self.shape, frame)
-        owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
-        first, second = field.sides(self.result.joints, cracks.contact[owner], self.tile[corner])
-        moved = self.tile[corner] + 0.5 * times * (first + second)
-        colours = crack_colours(cracks.damage, cracks.tension_led, cracks.dry)
-        starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
-        for k in np.argsort(cracks.damage, kind="stable").tolist():
-            faces.add_polygon(moved[starts[k] : starts[k + 1]], colours[k])
-        lines = crack_edges(cracks, moved, starts, self.after[corner], scale)
-        for number, piece in enumerate(self._moved(field, times)):
-            faces.add_piece(piece)
-            for line in lines.get(number, ()):
-                faces.add_line(*line)
-        faces.draw(axes)
-
-    def _moved(self, field: Deformation, times: float) -> list[Piece]:
-        """The faces toward the viewer where they are now."""
-        sizes = [len(piece.corners) for piece in self.pieces]
-        corners = np.concatenate([piece.corners for piece in self.pieces])
+    def pieces(self, frame: Frame, times: float) -> list[Piece]:
+        sizes = [len(piece.corners) for piece in self.visible]
+        corners = np.concatenate([piece.corners for piece in self.visible])
         block = np.repeat(self.piece_block, sizes)
-        moved = corners + times * field.at(block, corners, np.full(len(block), -1))
+        moved = corners + times * Deformation(self.shape, frame).at(block, corners, np.full(len(block), -1))
         parts = np.split(moved, np.cumsum(sizes)[:-1])
-        return [replace(piece, corners=part) for piece, part in zip(self.pieces, parts, strict=True)]
+        return [replace(piece, corners=part) for piece, part in zip(self.visible, parts, strict=True)]
+
+    def last_pieces(self, frame: Frame, times: float, pieces: list[Piece]) -> np.ndarray:
+        return self.after
+
+    def draw_joints(self, faces: FaceDrawing, cracks: JointCracks, tiles: list[np.ndarray]) -> None:
+        colours = crack_colours(cracks.damage, cracks.tension_led, cracks.dry)
+        for k in np.argsort(cracks.damage, kind="stable").tolist():
+            faces.add_polygon(tiles[k], colours[k])
 
 
 def joint_cracks(result: "ResultData", frame: Frame) -> JointCracks:

@@ -205,7 +205,7 @@ def test_a_dry_joint_that_slid_is_drawn_as_wide_as_it_slid_and_an_elastic_one_is
     stuck = min(slid.history.frames, key=lambda frame: abs(frame.slip.max() - 1e-6))
     elastic = dataclasses.replace(stuck, slip=np.abs(stuck.shear_stress) / 70e9, opening=stuck.normal_stress / 150e9)
     assert not len(drawing.cracks(elastic).damage)
-    slid.scene_toml = "title = 'nothing is known of its stiffness'"
+    slid.scene_toml, slid.joint_properties = "title = 'nothing is known of its stiffness'", {}
     assert not len(FlatDrawing(slid).cracks(frame).damage)
 
 

@@ -104,7 +104,7 @@ def test_a_face_that_lay_in_a_joint_is_seen_once_the_joint_is_open():
         assert (top in {piece.face for piece in pieces}) == seen
     small = fallen(blocks, aside)
     small.scene_toml = ""
-    assert top not in {piece.face for piece in SolidDrawing(small).pieces}
+    assert top not in {piece.face for piece in SolidDrawing(small).visible}
 
 
 def test_a_block_that_fell_before_another_hides_it_and_behind_it_is_hidden():

@@ -18,8 +18,8 @@ from masonry.pictures.hidden_surfaces import COVERED, Piece, behind
 from masonry.pictures.large.depth_order import farthest_first
 from masonry.pictures.large.edges import Continued, continued
 from masonry.pictures.large.nearness import reach
-from masonry.pictures.oblique import JointCracks, crack_edges, faces_beside, joint_cracks, last_piece
-from masonry.pictures.thrust_line import ThrustLine, thrust_line
+from masonry.pictures.oblique import FacesDrawing, JointCracks, faces_beside, joint_cracks, last_piece
+from masonry.pictures.thrust_line import thrust_line
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 
@@ -34,14 +34,14 @@ GRAZED = 0.1
 """On faces whose normal makes a smaller one no crack is drawn: it would look like an edge."""
 
 
-class MovedDrawing:
-    """Draws the frames of one result of large displacement."""
+class MovedDrawing(FacesDrawing):
+    """Of large displacement: which face hides which is found in every frame."""
 
     def __init__(self, result: "ResultData", view: str) -> None:
         blocks, joints = result.specimen.blocks, result.joints
         self.result = result
         self.camera = camera_of(view, result.specimen, [frame.corners for frame in result.history.frames])
-        self.thrust: ThrustLine | None = thrust_line(result, self.camera) if view != "iso" else None
+        self.thrust = thrust_line(result, self.camera) if view != "iso" else None
         self.shape, self.edges, self.reach = BlockCorners(blocks), continued(blocks), reach(result)
         self.covered = covered_fractions(blocks, joints) >= COVERED
         self.faces = patch_faces(blocks, joints)[joints.patch]
@@ -63,28 +63,17 @@ class MovedDrawing:
         blocks = self.result.specimen.blocks
         return replace(blocks, points=blocks.points + times * frame.corners)
 
-    def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
-        """Draw a frame with displacements `times` larger, its cracks and its thrust line; `scale` is the opening (m)
-        of full width."""
-        joints, blocks = self.result.joints, self.moved(frame, times)
-        pieces = self.pieces(frame, times)
-        after = self._after(blocks, np.array([piece.face for piece in pieces], dtype=np.int64))
-        owner, corner = ranges(self.start[cracks.contact], np.diff(self.start)[cracks.contact])
-        first, second = Deformation(self.shape, frame).sides(joints, cracks.contact[owner], self.tile[corner])
-        places = self.tile[corner] + 0.5 * times * (first + second)
-        starts = np.searchsorted(owner, np.arange(len(cracks.contact) + 1))
-        lines = crack_edges(cracks, places, starts, after[corner], scale)
-        faces = FaceDrawing(blocks, self.camera, lamp_of(self.camera))
-        for number, piece in enumerate(pieces):
-            faces.add_piece(piece)
-            for line in lines.get(number, ()):
-                faces.add_line(*line)
-        faces.draw(axes)
+    def canvas(self) -> FaceDrawing:
+        return FaceDrawing(self.result.specimen.blocks, self.camera, lamp_of(self.camera))
+
+    def last_pieces(self, frame: Frame, times: float, pieces: list[Piece]) -> np.ndarray:
+        return self._after(self.moved(frame, times), np.array([piece.face for piece in pieces], dtype=np.int64))
+
+    def draw_thrust(self, axes: Any, frame: Frame, times: float, pieces: list[Piece]) -> None:
         if self.thrust is not None:
             self.thrust.draw(axes, self.camera.project(self._uncovered(frame, times, pieces)))
 
     def forces_at(self, frame: Frame, times: float) -> np.ndarray:
-        """(J, 3) m, where the thrust line or its marks are drawn; not a number where nothing is."""
         return self._uncovered(frame, times, self.pieces(frame, times))
 
     def pieces(self, frame: Frame, times: float) -> list[Piece]:
