@@ -72,6 +72,11 @@ class KindOfMotion:
         three dofs, and their weights (n, 3)."""
         raise NotImplementedError
 
+    def moment(self, axes: np.ndarray, arm: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """(dofs - 3,) what a force (3,) N at an arm (3,) m from the centroid does on the dofs beyond the first three of
+        a block; axes (3, 3)."""
+        raise NotImplementedError
+
     def moments(self, axes: np.ndarray, forces: np.ndarray) -> np.ndarray:
         """(n, 3) N m about the centroid, of what belongs to the dofs beyond the first three (n, dofs - 3)."""
         raise NotImplementedError
@@ -100,6 +105,9 @@ class RigidKind(KindOfMotion):
     def gauge(self, axes: np.ndarray, arm: np.ndarray, axis: int) -> tuple[int, np.ndarray]:
         return 3, np.einsum("nij,ni->nj", axes, np.cross(arm, np.eye(3)[axis]))
 
+    def moment(self, axes: np.ndarray, arm: np.ndarray, force: np.ndarray) -> np.ndarray:
+        return np.asarray(axes.T @ np.cross(arm, force))
+
     def moments(self, axes: np.ndarray, forces: np.ndarray) -> np.ndarray:
         return np.asarray(np.einsum("bij,bj->bi", axes, forces))
 
@@ -126,6 +134,9 @@ class AffineKind(KindOfMotion):
 
     def gauge(self, axes: np.ndarray, arm: np.ndarray, axis: int) -> tuple[int, np.ndarray]:
         return 3 + 3 * axis, np.einsum("nij,ni->nj", axes, arm)
+
+    def moment(self, axes: np.ndarray, arm: np.ndarray, force: np.ndarray) -> np.ndarray:
+        return np.outer(force, axes.T @ arm).ravel()
 
     def moments(self, axes: np.ndarray, forces: np.ndarray) -> np.ndarray:
         # first moments, force times arm along the axes of the block, or what they have become

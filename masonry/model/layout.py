@@ -65,12 +65,12 @@ class Layout:
         """Rows of dofs of a kind: blocks, or nodes."""
         return len(self.owner[kind])
 
-    @property
+    @cached_property
     def deforms(self) -> np.ndarray:
         """(B,) which blocks are not rigid."""
         return np.asarray(self.kind != KINDS.index("rigid"))
 
-    @property
+    @cached_property
     def meshed(self) -> np.ndarray:
         """(B,) which blocks are made of tets."""
         return np.asarray(self.kind == KINDS.index("tets"))

@@ -7,6 +7,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
+from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, node_masses
 
 
@@ -63,9 +64,9 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
     owner = blocks.face_block()
     for f in push.faces:
         b = int(owner[f])
-        if KINDS[layout.kind[b]] != "tets":
+        if not layout.meshed[b]:
             add_force(layout, load, b, push.stress * area[f], centre[f] - layout.centroid[b])
-    meshed = push.faces[layout.kind[owner[push.faces]] == KINDS.index("tets")]
+    meshed = push.faces[layout.meshed[owner[push.faces]]]
     if layout.mesh is not None and len(meshed):
         nodes, tributary = surface_nodes(layout.mesh, blocks, meshed)
         np.add.at(_of(load, "tets", layout), nodes, tributary[:, None] * push.stress)
@@ -74,11 +75,7 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
 def add_force(layout: Layout, load: dict, b: int, force: np.ndarray, arm: np.ndarray) -> None:
     """Add a force (3,) N on a rigid or affine block, at an arm (3,) m from its centroid."""
     kind, row = KINDS[layout.kind[b]], layout.local[b]
-    if kind == "rigid":
-        moment = layout.axes[b].T @ np.cross(arm, force)
-    else:
-        moment = np.outer(force, layout.axes[b].T @ arm).ravel()
-    _of(load, kind, layout)[row] += np.concatenate([force, moment])
+    _of(load, kind, layout)[row] += np.concatenate([force, KIND[kind].moment(layout.axes[b], arm, force)])
 
 
 def _of(load: dict, kind: str, layout: Layout) -> np.ndarray:

@@ -8,7 +8,7 @@ from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
 from masonry.errors import SceneError
-from masonry.model.layout import KINDS, Layout
+from masonry.model.layout import Layout
 from masonry.model.loads import no_conditions
 
 
@@ -56,14 +56,14 @@ def _held_faces(blocks: Blocks, layout: Layout, hold: Hold, masks: dict[str, np.
     owner = blocks.face_block()[hold.faces]
     normal = measures.face_areas_normals_centroids(blocks)[1][hold.faces]
     for face_owner, n in zip(owner, normal, strict=True):
-        kind = KINDS[layout.kind[face_owner]]
-        if kind == "affine":
+        if layout.meshed[face_owner]:
+            continue
+        if layout.deforms[face_owner]:
             raise SceneError(
                 f"{hold.name}: a face of an affine block cannot be held alone; hold the whole block, "
                 "put a rigid plate there, or use tets"
             )
-        if kind == "rigid":
-            _hold_rigid_face(masks["rigid"][layout.local[face_owner]], hold, n, layout, int(face_owner))
+        _hold_rigid_face(masks["rigid"][layout.local[face_owner]], hold, n, layout, int(face_owner))
     meshed = hold.faces[layout.meshed[owner]]
     if layout.mesh is not None and len(meshed):
         nodes, _ = surface_nodes(layout.mesh, blocks, meshed)
