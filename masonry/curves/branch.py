@@ -20,9 +20,10 @@ def branch_figure(result: "ResultData") -> Any:
     figure = ShownFigure(figsize=(10, 8), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
-    grown, rows = result.summary.collapse_load or {}, result.history.rows
-    led, reading, factor = grown["branch"], MILLI * rows[grown["branch"]["gauge"]], rows[FACTOR]
-    rest = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led["steps"])[-1])  # the last one
+    grown, rows = result.summary.collapse_load, result.history.rows
+    assert grown is not None and grown.branch is not None, "a gauge was led"
+    led, reading, factor = grown.branch, MILLI * rows[grown.branch.gauge], rows[FACTOR]
+    rest = int(np.flatnonzero(rows["step"] <= rows["step"][-1] - led.steps)[-1])  # the last one
     late = reading[rest] > reading.min() + 0.5 * np.ptp(reading)
     for axes in (curve, ledger):
         tidy(axes)
@@ -30,10 +31,10 @@ def branch_figure(result: "ResultData") -> Any:
         reading[: rest + 1], factor[: rest + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
     )
     curve.plot(reading[rest:], factor[rest:], color="#1f3b5c", linewidth=2.0, label="led on")
-    curve.plot(reading[rest], grown["borne"], "o", color="#b2182b", markersize=7, label="collapse")
+    curve.plot(reading[rest], grown.borne, "o", color="#b2182b", markersize=7, label="collapse")
     curve.annotate(
-        f"{grown['borne']:.4g} is borne, {grown['falls']:.4g} is not",
-        (reading[rest], grown["borne"]),
+        f"{grown.borne:.4g} is borne, {grown.falls or 0.0:.4g} is not",
+        (reading[rest], grown.borne),
         xytext=(-12 if late else 12, 6),
         ha="right" if late else "left",
         textcoords="offset points",
@@ -45,7 +46,7 @@ def branch_figure(result: "ResultData") -> Any:
     curve.set_ylabel("load factor [1]")
     draw_ledger(ledger, rows, reading)
     ledger.set_ylabel("energy [J]")
-    ledger.set_xlabel(plain(f"{led['gauge']} [mm]"))
+    ledger.set_xlabel(plain(f"{led.gauge} [mm]"))
     for axes in (curve, ledger):
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
     return figure

@@ -22,7 +22,8 @@ def curve_figure(result: "ResultData") -> Any:
         from masonry.curves.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
-    if (result.summary.collapse_load or {}).get("branch", {}).get("led"):
+    grown = result.summary.collapse_load
+    if grown is not None and grown.branch is not None and grown.branch.led:
         from masonry.curves.branch import branch_figure
 
         return branch_figure(result)

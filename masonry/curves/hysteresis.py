@@ -39,9 +39,9 @@ class Loops(NamedTuple):
 
 def loops_of(result: "ResultData") -> Loops:
     """The loops of the drive; of a load that goes to and fro, those of its factor over a gauge."""
-    rows, grown = result.history.rows, result.summary.collapse_load or {}
-    if "loops" in grown:
-        gauge, rest = grown["loops"]["gauge"], before_a_fall(rows, grown["falls"])
+    rows, grown = result.history.rows, result.summary.collapse_load
+    if grown is not None and grown.loops is not None:
+        gauge, rest = grown.loops.gauge, before_a_fall(rows, grown.falls)
         factor, x, path = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
         after = slice(len(factor) - 1, None)
         fall = None if len(factor) == len(rows[FACTOR]) else (MILLI * rows[gauge][after], rows[FACTOR][after])

@@ -12,7 +12,7 @@ from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
 from masonry.results.frames import without_noise
 from masonry.results.reactions import reaction_lines
-from masonry.results.summary import FirstFall, Readings, Summary
+from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Summary
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
@@ -117,8 +117,8 @@ def summary_rows(summary: Summary) -> Rows:
 
 def _collapse_rows(summary: Summary) -> Rows:
     """The factor of a load that grew, cycles, the tilt, and what fell."""
-    grown = summary.collapse_load or {}
-    branch, tilt = grown.get("branch"), summary.tilt_rad
+    grown, tilt = summary.collapse_load, summary.tilt_rad
+    branch = grown.branch if grown else None
     return [
         ("load factor", factor_text(grown, bool(summary.interrupted)) if grown else []),
         ("past the collapse", [branch_text(branch)] if branch else []),
@@ -219,42 +219,42 @@ def _first_to_fall(fallen: FirstFall) -> str:
     return f"{what}; the fall began after {began.time_s:.4g} s{drive}{loads}{tilt}"
 
 
-def factor_text(grown: dict[str, Any], interrupted: bool) -> list[str]:
+def factor_text(grown: CollapseLoad, interrupted: bool) -> list[str]:
     """The factor at which the load that grows is borne no more, and who moves then."""
-    borne, falls, tilts = grown["borne"], grown["falls"], grown["pattern"] == "tilt"
+    borne, falls, tilts = grown.borne, grown.falls, grown.pattern == "tilt"
     angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
-    loops = grown.get("loops")
+    loops = grown.loops
     leg = leg_text(loops) if loops else ""
     if falls is None and loops and not interrupted:
-        points = [f"{factor:g}" for factor in loops["history"]]
+        points = [f"{factor:g}" for factor in loops.history]
         return [f"borne along its whole path, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
     if falls is None:
         ends = "the run was interrupted here" if interrupted else "the load ends here (limit.up_to)"
         return [f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]
-    sets, moving = ", ".join(grown["sets"]), grown["moving"]
+    sets, moving = ", ".join(grown.sets), grown.moving
     return [
-        f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {grown['trials']} trials, to "
-        f"{percent(grown['accuracy'])}",
-        f"{moving} of {len(grown['moved'])} blocks move; block {grown['first']}"
+        f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {grown.trials} trials, to "
+        f"{percent(grown.accuracy)}",
+        f"{moving} of {len(grown.moved)} blocks move; block {grown.first}"
         + (f" of '{sets}' moves most" if sets else " moves most"),
     ]
 
 
-def leg_text(loops: dict[str, Any]) -> str:
+def leg_text(loops: LoadLoops) -> str:
     """On which leg of a load that goes to and fro the run ended."""
-    history, leg = loops["history"], loops["leg"]
+    history, leg = loops.history, loops.leg
     start = history[leg - 2] if leg > 1 else 0.0
     return f" on leg {leg} of {len(history)}, from {start:g} to {history[leg - 1]:g}"
 
 
-def branch_text(led: dict[str, Any]) -> str:
+def branch_text(led: CollapseBranch) -> str:
     """How far a gauge was led on behind the collapse, and what the factor was there."""
-    if not led["led"]:
-        return f"'{led['gauge']}' was not led on"
-    near = f"within {percent(led['out_of_balance_max'])} of the collapse factor of equilibrium, in {led['steps']} steps"
-    stands = ": it stands no more by itself" if led["ends"] == "zero" else ""
-    factor = 0.0 if led["ends"] == "zero" else led["factor_at_end"]
-    return f"the factor is {factor:.4g} where '{led['gauge']}' is {1e3 * led['reached_m']:.4g} mm{stands}; {near}"
+    if not led.led:
+        return f"'{led.gauge}' was not led on"
+    near = f"within {percent(led.out_of_balance_max)} of the collapse factor of equilibrium, in {led.steps} steps"
+    stands = ": it stands no more by itself" if led.ends == "zero" else ""
+    factor = 0.0 if led.ends == "zero" else led.factor_at_end
+    return f"the factor is {factor:.4g} where '{led.gauge}' is {1e3 * led.reached_m:.4g} mm{stands}; {near}"
 
 
 def gauge_text(readings: Readings, driven: bool = True) -> str:

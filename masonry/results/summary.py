@@ -165,6 +165,52 @@ class FirstFall(Moment):
 
 
 @dataclass(frozen=True, eq=False)
+class CollapseBranch(Record):
+    """What became of the gauge that was to be led on behind a collapse, and where that ended."""
+
+    gauge: str = ""
+    until_m: float = 0.0
+    ends: str = ""
+    led: bool = False
+    from_m: float = 0.0
+    steps: int = 0
+    leaps: int = 0
+    out_of_balance_max: float = 0.0
+    near_to_m: float = 0.0
+    reached_m: float = 0.0
+    factor_at_end: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class LoadLoops(Record):
+    """The path of a load that goes to and fro, the gauge over which it is drawn, and the leg on which the run ended."""
+
+    gauge: str = ""
+    history: list[float] = field(default_factory=list)
+    leg: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class CollapseLoad(Record):
+    """The factor of a load that grew: the greatest that was borne, the least that was not, and who moves then."""
+
+    pattern: str = ""
+    borne: float = 0.0
+    falls: float | None = None
+    accuracy: float = 0.0
+    trials: int = 0
+    undecided: int = 0
+    falls_by_turning: bool = False
+    swayed_over_block: float | None = None
+    moving: int = 0
+    first: int = 0
+    sets: list[str] = field(default_factory=list)
+    moved: list[float] = field(default_factory=list)
+    branch: CollapseBranch | None = one_of(CollapseBranch)
+    loops: LoadLoops | None = one_of(LoadLoops)
+
+
+@dataclass(frozen=True, eq=False)
 class Movements(Record):
     """How far blocks moved, what they met, and what fell."""
 
@@ -173,7 +219,7 @@ class Movements(Record):
     met: str | None = None
     in_real_time: bool | None = None
     collapse: FirstFall | None = one_of(FirstFall)
-    collapse_load: dict[str, Any] | None = None
+    collapse_load: CollapseLoad | None = one_of(CollapseLoad)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.results.summary import FirstFall, Moment, Movements
+from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
 
@@ -19,6 +19,7 @@ STEADILY = "it went down no faster than the drive made it, so it may stand"
 
 def movements(assembly: Assembly, outcome: Outcome) -> Movements:
     """The largest turn and overlap; in large displacement whether it is a motion in time, and what fell."""
+    grown = outcome.loading.collapse_load(outcome.history.rows, assembly.specimen.sets)
     observed, large = outcome.observed, assembly.scene.is_large
     return Movements(
         rotation_max_rad=float(observed["rotation"].max()),
@@ -26,7 +27,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
         met=outcome.found.get("met", ""),
         in_real_time=not assembly.model.scaled if large else None,
         collapse=_collapse(assembly, outcome) if large else None,
-        collapse_load=outcome.loading.collapse_load(outcome.history.rows, assembly.specimen.sets),
+        collapse_load=None if grown is None else CollapseLoad.read(grown),
     )
 
 
