@@ -107,17 +107,17 @@ class JointForces:
     def _on_joints(self, gone: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Of all points of patches in the plane of a joint: its number (K,), the place (K, 3) m and the force (K, 3) N
         on the side of the lower unit, turned back with the block there."""
-        near, found = self.parts.near, _points(self.parts.near)
-        key, sign = self._sides(found.block)
+        near, points = self.parts.near, _points(self.parts.near)
+        key, sign = self._sides(points.block)
         which = np.minimum(np.searchsorted(self.pairs, key), len(self.pairs) - 1)
         row, low = np.arange(len(key)), (sign < 0.0).astype(int)
-        block, body = found.block[row, low], found.body[row, low]
+        block, body = points.block[row, low], points.body[row, low]
         motion = near.motion
         undo = (motion.frame if motion.dual is None else motion.dual)[body]  # transposed
-        place = found.place - motion.centre[body] - motion.moved[body, :3]
+        place = points.place - motion.centre[body] - motion.moved[body, :3]
         place = motion.centre[body] + np.einsum("kji,kj->ki", undo, place)
         back = sign[:, None, None] * self.parts.bonds.frames[block].transpose(0, 2, 1)
-        acts, normal = (np.einsum("kij,kj->ki", back, vector) for vector in (found.force, found.normal))
+        acts, normal = (np.einsum("kij,kj->ki", back, vector) for vector in (points.force, points.normal))
         contact = self.nearest.query(self._place(place, which, normal))[1]
         aligned = np.einsum("ki,ki->k", normal, self.normal[contact]) > ALIGNED
         chosen = (self.pairs[which] == key) & gone[contact] & aligned
@@ -172,10 +172,10 @@ def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray
     """All that acts between blocks now, in large displacement: the block (K,), the force (3, K) N on it, and its arm
     (3, K) m from the centroid, along x, y and z; of blocks of tets from where that was."""
     bonds, joints, layout = large.bonds, model.joints, model.layout
-    found, whole = _points(large.near), bonds.alive
+    points, whole = _points(large.near), bonds.alive
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
-    block, force = np.concatenate([found.block, pair]), np.concatenate([found.force, bonds.force[whole]])
-    place = np.concatenate([found.place, joints.point[whole] + moved(model, large, joints.point[whole], pair[:, 1])])
+    block, force = np.concatenate([points.block, pair]), np.concatenate([points.force, bonds.force[whole]])
+    place = np.concatenate([points.place, joints.point[whole] + moved(model, large, joints.point[whole], pair[:, 1])])
     now = layout.centroid + large.near.motion.moved[: len(layout.centroid), :3]
     sides = block.T.ravel()
     arm = np.concatenate([place, place]) - now[sides]

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from masonry.configuration.configuration import configuration_of
-from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
 from masonry.runtime.state import Damaged, add_array
 
@@ -26,11 +25,6 @@ def restore(model: Model, saved: dict[str, np.ndarray]) -> None:
         raise Damaged("its arrays are not those of this model")
     for name, array in arrays.items():
         array[...] = saved[name]
-
-
-def displacements(model: Model, saved: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """By kind of motion, the dofs (rows, n) in a state that was kept."""
-    return {part.name: part.kept(saved) for part in parts_of(model)}
 
 
 def fingerprint(model: Model) -> str:

@@ -62,13 +62,13 @@ def retire(model: Model, large: Large) -> None:
     search.built[:] = -np.inf
     while refresh(large.near) < 0.0:
         make_room(model, large)
-    for found, pairs in _pairs_of(large.near, left.keys(), count).items():
-        _hand_over(large.near, pairs, left[found])
+    for blocks, pairs in _pairs_of(large.near, left.keys(), count).items():
+        _hand_over(large.near, pairs, left[blocks])
 
 
 def _broken(model: Model, large: Large) -> np.ndarray:
     """(C,) which bonds have no strength left beyond that of patches, or never had any, and no dilation to come."""
-    found = np.zeros(len(model.group), dtype=bool)
+    broken = np.zeros(len(model.group), dtype=bool)
     for g, joint in enumerate(model.groups.properties):
         if joint.tensile_strength is None:
             continue
@@ -76,10 +76,10 @@ def _broken(model: Model, large: Large) -> np.ndarray:
         tension, shear = model.state.intact_n[own], model.state.intact_s[own]
         pulled, sheared = joint.tensile_strength > 0.0, softens_in_shear(joint)
         both = tension * shear if joint.combined is not None else np.maximum(tension * pulled, shear * sheared)
-        found[own] = both * (pulled | sheared) < STRENGTH_LEFT
+        broken[own] = both * (pulled | sheared) < STRENGTH_LEFT
         if joint.tan_dilation is not None:
-            found[own] &= _has_risen(model, large, own, joint)
-    return found
+            broken[own] &= _has_risen(model, large, own, joint)
+    return broken
 
 
 def _slid_past(model: Model, large: Large, alive: np.ndarray) -> np.ndarray:
@@ -95,7 +95,7 @@ def _slid_past(model: Model, large: Large, alive: np.ndarray) -> np.ndarray:
 def _has_risen(model: Model, large: Large, own: slice, joint: JointProperties) -> np.ndarray:
     """(n,) where faces do not dilate any more: they slid to the cut-off, or stood open wider than they rise by then.
 
-    Bonds stay where they were found, so what slides on past the skin is found anew and dilates no more.
+    Bonds stay where they were made, so what slides on past the skin is detected again and dilates no more.
     """
     assert joint.dilation_cutoff is not None
     end = np.minimum(joint.dilation_cutoff, large.near.search.skin[0])
@@ -131,12 +131,12 @@ def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> 
 
 def _pairs_of(near: Near, wanted: Collection[int], count: int) -> dict[int, list[int]]:
     """The pairs of pieces that touch, by the key of their two blocks, of those that are wanted."""
-    found: dict[int, list[int]] = {}
+    touching: dict[int, list[int]] = {}
     for p in range(int(near.pairs.number[0])):
         key = int(keys(near.pieces.block[near.pairs.body[p]][None], count)[0])
         if near.pairs.slot[p] >= 0 and key in wanted:
-            found.setdefault(key, []).append(p)
-    return found
+            touching.setdefault(key, []).append(p)
+    return touching
 
 
 def _hand_over(near: Near, which: list[int], left: Carried) -> None:

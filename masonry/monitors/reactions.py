@@ -74,12 +74,12 @@ class Surroundings:
         """The forces now; `before`: velocities one step earlier; force (C, 3) N of the contacts on their side a;
         `load_factors` of the loads that act."""
         parts = {part.name: part for part in parts_of(model)}
-        held = np.zeros((len(self.holds), 6))
+        reactions = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
             for kind, (rows, mask) in one.parts.items():
-                held[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
+                reactions[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
         loads = self.resultants(model, load_factors)
-        return Standing(step, displacement, held, loads, *of_motion(model, before), force)
+        return Standing(step, displacement, reactions, loads, *of_motion(model, before), force)
 
     def resultants(self, model: Model, load_factors: list[float]) -> np.ndarray:
         """(L, 6) of the loads at their factors, where blocks are now."""
@@ -106,11 +106,11 @@ class Surroundings:
 
 def _parts(values: dict[str, np.ndarray] | dict[str, np.ndarray | None]) -> Parts:
     """The rows that are not zero."""
-    found = {}
+    parts = {}
     for kind, array in values.items():
         if array is not None and len(rows := np.flatnonzero(np.any(array != 0.0, axis=1))):
-            found[kind] = rows, np.ascontiguousarray(array[rows])
-    return found
+            parts[kind] = rows, np.ascontiguousarray(array[rows])
+    return parts
 
 
 def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
@@ -152,15 +152,15 @@ def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing
     """Force (N) and moment (N m, about the origin of the scene) of every support, the drive and every load, of damping
     and inertia, and the sum of all: 0 but for rounding; holds: name, and what it takes hold of.
     """
-    found: dict[str, Any] = {"step": standing.step, "displacement_m": standing.displacement}
+    forces: dict[str, Any] = {"step": standing.step, "displacement_m": standing.displacement}
     for (name, on), acts in zip(holds, standing.reactions, strict=True):
-        found[name] = {"on": on, **_words(acts)}
+        forces[name] = {"on": on, **_words(acts)}
     for name, acts in zip(loads, standing.loads, strict=True):
-        found[name] = _words(acts)
+        forces[name] = _words(acts)
     motion = standing.damping + standing.inertia
-    found |= {"damping": _words(standing.damping), "inertia": _words(standing.inertia)}
-    found["sum"] = _words(standing.reactions.sum(axis=0) + standing.loads.sum(axis=0) + motion)
-    return found
+    forces |= {"damping": _words(standing.damping), "inertia": _words(standing.inertia)}
+    forces["sum"] = _words(standing.reactions.sum(axis=0) + standing.loads.sum(axis=0) + motion)
+    return forces
 
 
 def open_by(standings: Collection[Standing], size: float, least: float = 0.0) -> float:

@@ -82,20 +82,20 @@ def left_of_motion(model: Model, most: float) -> np.ndarray:
 
 def kinetic(model: Model) -> np.ndarray:
     """(B,) J, of each block."""
-    found = np.zeros(model.blocks.count)
+    energy = np.zeros(model.blocks.count)
     for part in parts_of(model):
-        found[part.blocks] = part.kinetic_of_blocks()
-    return found
+        energy[part.blocks] = part.kinetic_of_blocks()
+    return energy
 
 
 def dead_loads(model: Model) -> np.ndarray:
     """(B,) N, sums of the components along free movements."""
-    found = np.zeros(model.blocks.count)
+    total = np.zeros(model.blocks.count)
     for part in parts_of(model):
         if part.body.load is not None:
             loads = np.where(part.free[:, :3], np.abs(part.body.load[:, :3]), 0.0)
-            found[part.blocks] = part.sums(loads.sum(axis=1))
-    return found
+            total[part.blocks] = part.sums(loads.sum(axis=1))
+    return total
 
 
 def _over(part: np.ndarray, whole: np.ndarray) -> np.ndarray:

@@ -33,7 +33,7 @@ class MovingPart:
         """(rows, dofs) m, and turns or strains."""
         return self.kind.displacements(self.body, self.model.u)
 
-    def kept(self, saved: dict[str, np.ndarray]) -> np.ndarray:
+    def saved_displacements(self, saved: dict[str, np.ndarray]) -> np.ndarray:
         """The same in a state that was kept (configuration/written.py)."""
         return saved[f"{self.name}.q"]
 

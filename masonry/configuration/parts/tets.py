@@ -10,7 +10,7 @@ from masonry.kinematics.matrices import rotation_angles, rotations
 class TetPart(MovingPart):
     """Blocks of small strains and rotations."""
 
-    def kept(self, saved: dict[str, np.ndarray]) -> np.ndarray:
+    def saved_displacements(self, saved: dict[str, np.ndarray]) -> np.ndarray:
         return saved["u"][: len(self.body.v)]
 
     def strain(self, stress: np.ndarray) -> Strain:

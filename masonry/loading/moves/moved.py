@@ -50,4 +50,4 @@ def relative_travel(model: Model, moved: list[np.ndarray]) -> np.ndarray:
 
 def copied_dofs(model: Model, copies: Arrays) -> Arrays:
     """The dofs in such copies."""
-    return {part.name: part.kept(copies) for part in parts_of(model)}
+    return {part.name: part.saved_displacements(copies) for part in parts_of(model)}
