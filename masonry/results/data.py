@@ -12,7 +12,6 @@ from masonry.judgement.doubt import Doubt
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
-from masonry.laws.state import JointProperties
 from masonry.results.summary import Summary
 from masonry.results.table import table_of
 from masonry.rows.history import History
@@ -23,6 +22,8 @@ from masonry.runtime.text_files import toml_of
 if TYPE_CHECKING:
     from pandas import DataFrame
 
+    from masonry.laws.state import JointProperties
+
 
 class Peak(NamedTuple):
     """Displacement of the drive (m) and stress (Pa) there."""
@@ -31,8 +32,10 @@ class Peak(NamedTuple):
     stress: float
 
 
-def properties_by_group(groups: Sequence[JointProperties]) -> dict[str, np.ndarray]:
+def properties_by_group(groups: Sequence["JointProperties"]) -> dict[str, np.ndarray]:
     """The joint properties of a result."""
+    from masonry.laws.state import JointProperties  # a result is read and drawn without numba
+
     by_name = {name: [getattr(joint, name) for joint in groups] for name in JointProperties._fields}
     return {
         name: np.array([np.nan if value is None else float(np.mean(value)) for value in values])

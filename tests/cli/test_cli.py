@@ -13,24 +13,29 @@ from geometry.blocks import GeometryError
 from masonry import scene
 from masonry.cli.main import main
 from masonry.errors import SceneError, Stopped
+from masonry.laboratory.text import Report
 from masonry.runtime.processors import processors
 from tests.results.sample import sample
 
-REPORT = {
-    "blocks": 96,
-    "contacts": {"unit_unit": 500, "within_units": 188},
-    "contact_points": 2752,
-    "tets": 0,
-    "freedoms": 576,
-    "time_step_s": 1.25e-6,
-    "limited_by": "contact group unit_unit, block 12",
-    "quality": {"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "no joint": "none"},
-    "steps": 20000,
-    "expected_seconds": 130.0,
-    "left_out": ["gravity", "a sentence that is long enough to be wrapped " * 4],
-    "compiled": [],
-    "warnings": ["the drive is fast"],
-}
+REPORT = Report(
+    blocks=96,
+    cells=[],
+    scatter=[],
+    contacts={"unit_unit": 500, "within_units": 188},
+    contact_points=2752,
+    tets=0,
+    freedoms=576,
+    time_step_s=1.25e-6,
+    limited_by="contact group unit_unit, block 12",
+    quality={"shortest edge": "12 mm, 0.5 h; block 3 (units, unit 1) at (100, 25, 25) mm", "no joint": "none"},
+    settling="",
+    meeting="",
+    steps=20000,
+    expected_seconds=130.0,
+    left_out=["gravity", "a sentence that is long enough to be wrapped " * 4],
+    compiled=[],
+    warnings=["the drive is fast"],
+)
 
 
 @pytest.fixture

@@ -132,7 +132,7 @@ def test_covered_faces_are_those_in_joints():
 def test_marks_stand_where_the_scene_holds_and_loads_the_specimen():
     scene = load("couplet")
     bottom, top, drive, traction = marks(scene, *joined(scene))
-    assert bottom.all_held and not top.all_held and top.held == (1,)
+    assert bottom.all_held and not top.all_held and top.axes == (1,)
     base, way, presses = drive.arrows[0]
     assert np.allclose(base[:, 0], 0) and way.tolist() == [1, 0, 0] and presses
     assert drive.value == "1 mm"

@@ -11,6 +11,7 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration import energy
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
+from masonry.model.layout import KINDS
 from tests.scenes import MATERIAL, box, listed, load, specimen, tables
 
 SOFT = """law = "{law}"
@@ -149,7 +150,7 @@ def imbalance_of(text: str) -> float:
 
 def plain_kinetic(model, before):
     """The wrong one: m v v / 2 with the velocity after the step."""
-    present = [(k, b) for k, b in zip(energy.KINDS, model.bodies, strict=True) if b is not None]
+    present = [(k, b) for k, b in zip(KINDS, model.bodies, strict=True) if b is not None]
     return 0.5 * sum(float(np.sum(model.masses[k] * b.v**2)) for k, b in present)
 
 

@@ -78,7 +78,7 @@ def test_a_roller_may_slide_as_far_as_it_likes():
     roller = {f"contact.unit_unit.{key}": value for key, value in smooth.items()} | {"law": "brittle"}
     for smooth in (roller, GLUE):
         assert slid("100 mm", **smooth)["slip_max"] == 0.0
-    assert slid("100 mm", **roller, displacements="large")["slip_max"] < 1e-6, "there they are patches"
+    assert slid("100 mm", **roller, displacements="large")["slip_max"] is None, "there they are patches"
 
 
 @pytest.mark.parametrize("displacements", ["small", "large"])
