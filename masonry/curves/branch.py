@@ -30,7 +30,7 @@ def branch_figure(result: "ResultData") -> Any:
     curve.plot(
         reading[: rest + 1], factor[: rest + 1], "o-", color="#e07b00", markersize=3, linewidth=1.2, label="at rest"
     )
-    curve.plot(reading[rest:], factor[rest:], color="#1f3b5c", linewidth=2.0, label="led on")
+    curve.plot(reading[rest:], factor[rest:], color="#1f3b5c", linewidth=2.0, label="behind the collapse")
     curve.plot(reading[rest], grown.borne, "o", color="#b2182b", markersize=7, label="collapse")
     curve.annotate(
         f"{grown.borne:.4g} is borne, {grown.falls or 0.0:.4g} is not",

@@ -248,9 +248,9 @@ def leg_text(loops: LoadLoops) -> str:
 
 
 def branch_text(led: CollapseBranch) -> str:
-    """How far a gauge was led on behind the collapse, and what the factor was there."""
+    """How far a gauge was controlled behind the collapse, and what the factor was there."""
     if not led.led:
-        return f"'{led.gauge}' was not led on"
+        return f"'{led.gauge}' was not controlled"
     near = f"within {percent(led.out_of_balance_max)} of the collapse factor of equilibrium, in {led.steps} steps"
     stands = ": it stands no more by itself" if led.ends == "zero" else ""
     factor = 0.0 if led.ends == "zero" else led.factor_at_end

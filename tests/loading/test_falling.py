@@ -114,7 +114,7 @@ def test_a_gauge_that_cannot_be_led_leaves_the_collapse_as_it_is_and_says_why(sc
     result = masonry.run(scene())
     collapse = result.summary["collapse_load"]
     assert collapse["branch"]["ends"] == ends and not collapse["branch"]["led"] and collapse["falls"] is not None
-    assert words in said(result) and "was not led on" in said(result)
+    assert words in said(result) and "was not controlled" in said(result)
 
 
 @pytest.mark.parametrize(
