@@ -18,7 +18,10 @@ class Evidence:
         table: Any = self.summary
         for name in key.split("."):
             table = table.get(name) if isinstance(table, Mapping) else None
-        return None if table is None or math.isnan(table) else table
+        try:
+            return None if math.isnan(table) else table
+        except TypeError:
+            return None
 
     def magnitude(self, key: str) -> float | None:
         """The same without its sign."""
@@ -27,7 +30,8 @@ class Evidence:
 
     def table(self, key: str) -> Table:
         """The table of a key; an empty one where there is none."""
-        return self.summary.get(key) or {}
+        table = self.summary.get(key)
+        return table if isinstance(table, Mapping) else {}
 
     @property
     def in_real_time(self) -> bool:
@@ -42,7 +46,7 @@ class Evidence:
     @property
     def grows(self) -> bool:
         """Whether a load grew, or went to and fro, in search of a collapse."""
-        return bool(self.summary.get("collapse_load"))
+        return bool(self.table("collapse_load"))
 
     @property
     def falls(self) -> bool:
@@ -52,10 +56,10 @@ class Evidence:
     @property
     def branch(self) -> Table:
         """What became of the gauge that was to be controlled behind the collapse; empty without a collapse."""
-        return (self.table("collapse_load").get("branch") or {}) if self.falls else {}
+        return Evidence(self.table("collapse_load")).table("branch") if self.falls else {}
 
 
 def has_drive(summary: Table) -> bool:
     """Whether the run has a drive; True where the summary has no reactions to tell."""
-    end = (summary.get("reactions") or {}).get("end")
-    return end is None or "drive" in end
+    end = Evidence(summary).table("reactions").get("end")
+    return not isinstance(end, Mapping) or "drive" in end

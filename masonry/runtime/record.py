@@ -28,7 +28,7 @@ class Record(Mapping[str, Any]):
 
     @classmethod
     def read(cls, table: Mapping[str, Any]) -> Self:
-        """The record of a table: what is missing there is None, other keys are left out."""
+        """The record of a table: what is missing there, or no record, is None; other keys are left out."""
         read = {entry.name: entry.metadata.get("read", _as_it_is) for entry in fields(cls)}
         return cls(**{name: read[name](table[name]) for name in read if name in table})
 
@@ -47,15 +47,21 @@ def table_of(kind: type[Record]) -> Any:
 def list_of(kind: type[Record]) -> Any:
     """A field that holds a list of records, or None."""
     read = _reader(kind)
-    return field(default=None, metadata={"read": lambda rows: [*map(read, rows)] if isinstance(rows, list) else rows})
+    return field(default=None, metadata={"read": lambda rows: _rows(read, rows)})
 
 
 def _reader(kind: type[Record]) -> Callable[[Any], Any]:
-    return lambda value: kind.read(value) if isinstance(value, Mapping) else value
+    return lambda value: kind.read(value) if isinstance(value, Mapping) else None
 
 
 def _each(read: Callable[[Any], Any], table: Any) -> Any:
-    return {name: read(value) for name, value in table.items()} if isinstance(table, Mapping) else table
+    if not isinstance(table, Mapping):
+        return None
+    return {name: read(value) for name, value in table.items() if isinstance(value, Mapping)}
+
+
+def _rows(read: Callable[[Any], Any], rows: Any) -> Any:
+    return [read(row) for row in rows if isinstance(row, Mapping)] if isinstance(rows, list) else None
 
 
 def _as_it_is(value: Any) -> Any:

@@ -8,6 +8,7 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles, unfinished
 from masonry.errors import SceneError
+from masonry.judgement.judgement import judgement_of
 from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, RunEnd
@@ -68,10 +69,14 @@ class Store:
 
 
 def _judged(summary: dict[str, Any]) -> Row:
-    """The verdict, and the names of the doubts, with commas; None where a summary has none."""
-    doubts = summary.get("doubts")
-    names = None if doubts is None else ", ".join(dict.fromkeys(str(doubt["name"]) for doubt in doubts))
-    return {"verdict": summary.get("verdict"), "doubts": names}
+    """The verdict, and the names of the doubts, with commas; None where there is no summary."""
+    if not summary:
+        return {"verdict": None, "doubts": None}
+    judgement = judgement_of(summary)
+    return {
+        "verdict": judgement.verdict,
+        "doubts": ", ".join(dict.fromkeys(doubt.name for doubt in judgement.doubts)),
+    }
 
 
 def _read(path: Path) -> dict[str, Any] | None:

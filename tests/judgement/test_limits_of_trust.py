@@ -216,6 +216,37 @@ def test_a_summary_keeps_its_judgement_and_an_older_one_is_judged_when_it_is_rea
     assert judgement_of(kept) == judge(summary)
 
 
+def test_that_a_run_was_stopped_stands_before_what_is_not_known():
+    summary = with_numbers(DRIVEN, stopped="unstable", kinetic_over_internal_max=None, reaction_mismatch_max=None)
+    assert [doubt.name for doubt in judge(summary).doubts] == ["stopped", "kinetic_energy", "reaction_mismatch"]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"doubts": 5},
+        {"doubts": "overlap"},
+        {"doubts": [{}]},
+        {"doubts": [{"name": ["x"], "value": "1", "limit": None, "sentence": None}]},
+        {"doubts": []},
+        {"verdict": "great"},
+        {"verdict": "sound"},
+        {"verdict": ["sound"]},
+        {"not_measured": None},
+    ],
+)
+def test_a_judgement_that_cannot_be_read_is_made_again(changes):
+    summary = with_numbers(DRIVEN, overlap_max=0.1)
+    assert judgement_of(summary | judge(summary).as_keys() | changes) == judge(summary)
+
+
+@pytest.mark.parametrize("other", ["abc", 5, [1], {"a": 1}, True, [], {}, None])
+@pytest.mark.parametrize("key", ["overlap_max", "energy_j", "reactions", "collapse_load", "control", "warnings"])
+def test_a_summary_with_something_else_at_a_key_is_judged_by_the_others(key, other):
+    summary = with_numbers(DRIVEN, stopped="unstable") | {key: other}
+    assert judgement_of(summary).verdict == "stopped" and trust(summary)
+
+
 def test_each_criterion_has_a_name_and_a_file_of_its_own_room():
     names = [criterion.name for criterion in criteria()]
     assert len(names) == len(set(names)) > 30

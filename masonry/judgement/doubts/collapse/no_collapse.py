@@ -21,7 +21,7 @@ def nothing_borne(evidence: Evidence) -> bool:
     """Whether the first load that was tried made something fall; on the way back from one side that may be so."""
     grown = evidence.table("collapse_load")
     loops = grown.get("loops")
-    return grown["borne"] == 0.0 and evidence.falls and (loops is None or loops["leg"] == 1)
+    return grown.get("borne") == 0.0 and evidence.falls and (loops is None or loops["leg"] == 1)
 
 
 def has_factor(evidence: Evidence) -> bool:
