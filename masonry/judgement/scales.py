@@ -96,7 +96,8 @@ def first_damage(rows: Rows) -> float:
 def _counting(plan: Plan, outcome: Outcome) -> np.ndarray:
     """Rows from the end of the drive's ramp on, or from the peak where it comes first; none within sudden cracks.
 
-    A drive to an accuracy is fast while all is elastic, which harms nothing: it counts from the first damage on.
+    A drive to an accuracy is fast while all is elastic, which harms nothing: it counts from the first damage on. Where
+    all stays elastic its end counts, at which it has come to rest.
     """
     rows, stood = outcome.history.rows, outcome.standing_rows
     loaded = stood["step"] > plan.settle
@@ -106,6 +107,8 @@ def _counting(plan: Plan, outcome: Outcome) -> np.ndarray:
         counting &= rows["step"] >= min(first_damage(rows), at_peak)
     for event in outcome.events:
         counting &= (rows["step"] <= event.first) | (rows["step"] > event.last)
+    if plan.hurries_while_elastic and not counting.any():
+        counting[-1] = rows["step"][-1] > plan.settle
     return np.asarray(counting)
 
 

@@ -102,6 +102,14 @@ def test_a_drive_to_an_accuracy_counts_from_its_first_damage_on(row, counts):
     assert (found["reaction_mismatch_max"] > 0.1) == (found["kinetic_over_internal_max"] > 0.01) == counts
 
 
+@pytest.mark.parametrize(("row", "counts"), [(4, False), (5, False), (6, False), (7, True)])
+def test_the_end_of_a_drive_counts_where_it_waits_there_and_all_stayed_elastic(row, counts):
+    wait = Event(first=4300, last=5000, released=0.0, contact=-1)
+    still = {"fracture_mode_2": dict.fromkeys(range(8), 0.0), "friction": dict.fromkeys(range(8), 0.0)}
+    numbers = summary(assemble(load("couplet")), (wait,), support_stress={row: 1e5}, kinetic={row: 0.2}, **still)
+    assert (numbers["reaction_mismatch_max"] > 0.1) == (numbers["kinetic_over_internal_max"] > 0.01) == counts
+
+
 @pytest.mark.parametrize(("row", "counts"), [(4, True), (5, False), (6, False), (7, True)])
 def test_rows_within_a_sudden_crack_do_not_count(row, counts):
     event = Event(first=4200, last=4700, released=0.0, contact=-1)
