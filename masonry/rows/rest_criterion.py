@@ -1,7 +1,7 @@
 """Whether a specimen is at rest: one criterion, and its levels, from where nothing is doubted to where nothing moves.
 
 A swing whose force is a share s of what the specimen bears has the share s^2 of what it stores as kinetic energy. What
-slides or falls slowly is told from a rest by its energy: it gathers way, while the force that drives it may be small.
+slides or falls slowly is told from a rest by its energy: it gains speed, while the force that drives it may be small.
 """
 
 from math import inf

@@ -116,7 +116,7 @@ class WaitingPhase(Phase):
         """Whether the specimen rests, falls, or has still to be waited for."""
         trials = self.trials
         trials.look()
-        alone = self.is_calm(before)
+        alone = self.count_rest(before)
         travels, watch = trials.travels, trials.watch
         if self.calm >= self.trials.rest_level.looks:
             trials.bear()
@@ -130,8 +130,8 @@ class WaitingPhase(Phase):
             return not_borne(trials)
         return self
 
-    def is_calm(self, before: list[np.ndarray]) -> bool:
-        """Count whether all rests; returns whether the sum over all does, and a block or a gauge does not."""
+    def count_rest(self, before: list[np.ndarray]) -> bool:
+        """Count looks at which all rests; returns whether the sum over all does, and a block or a gauge does not."""
         model, now = self.trials.model, energy.observe(self.trials.model)
         kinetic, stored = abs(energy.kinetic(model, before)), now.elastic_blocks + now.elastic_contacts
         level = self.trials.rest_level

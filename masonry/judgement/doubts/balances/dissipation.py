@@ -7,12 +7,13 @@ that is usually asked of a run.
 from masonry.judgement.doubt import Criterion
 from masonry.judgement.words import percent
 
+LIMIT = 0.01
 DISSIPATION = Criterion(
     name="dissipation",
     measure=lambda evidence: evidence.number("dissipation_mismatch"),
-    limit=0.01,
+    limit=LIMIT,
     sentence=lambda evidence, value: (
-        f"laws and contacts disagree on the dissipated energy by {percent(value, 3)} (should be under 1 %)"
+        f"laws and contacts disagree on the dissipated energy by {percent(value, 3)} (should be under {percent(LIMIT)})"
     ),
     advice="take smaller steps",
 )
