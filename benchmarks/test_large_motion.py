@@ -6,7 +6,7 @@ import pytest
 from masonry.jit.compiler import jit
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.turning import spin
-from masonry.model.arrays import Bodies
+from masonry.model.body_arrays import Bodies
 from masonry.model.large.bodies import deforming_tets, large
 from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import in_turn, require

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from masonry.comparison.sensitivity import Sensitivity
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
-    from masonry.limit_analysis.result import LimitResult
+    from masonry.limit_analysis.limit_result import LimitResult
     from masonry.scene import Scene
 
 __version__ = "0.1.0"

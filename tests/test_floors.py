@@ -18,7 +18,7 @@ FLOORS = (
         "masonry.units",
         "masonry.quantity",
         "masonry.rows",
-        "masonry.plugins",
+        "masonry.entry_points",
         "masonry.jit",
         "masonry.simd",
     ),
@@ -70,7 +70,7 @@ FLOORS = (
 )
 """From the lowest to the highest: folders, and the files that stand at the top of a package."""
 PACKAGES = {
-    **dict.fromkeys(("masonry.errors", "masonry.plugins"), ""),
+    **dict.fromkeys(("masonry.errors", "masonry.entry_points"), ""),
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics"), "numpy numba llvmlite"),
     **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
@@ -214,8 +214,8 @@ def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
         ("geometry.blocks", "from masonry import anything"),
         ("geometry.joints.find", "import gmsh"),
         ("geometry.polyhedra.indexing", "from geometry.joints import find"),
-        ("masonry.laws.dispatch", "from .. import scene"),
-        ("masonry.laws.dispatch", "from ..scene import Scene"),
+        ("masonry.laws.law_dispatch", "from .. import scene"),
+        ("masonry.laws.law_dispatch", "from ..scene import Scene"),
         ("masonry.kernels.step", "import scipy.sparse"),
         ("masonry.kernels.step", "import importlib\nimportlib.import_module('h5py')"),
         ("masonry.model.model", "if True:\n    import masonry.timeloop.timeloop as loop"),

@@ -14,7 +14,7 @@ LIMITS = {
     "branches of the function that branches most": 24,
     "attributes of the loading that has most": 12,
     "class names that stand more than once": 4,
-    "file names that stand more than once in masonry": 46,
+    "file names that stand more than once in masonry": 0,
     "lines with `found`, tests included": 411,
     "lines that name something by a participle alone": 219,
 }

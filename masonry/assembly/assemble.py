@@ -18,7 +18,7 @@ from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.growing_loads import let_grow
 from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
-from masonry.assembly.scatter import Drawn, draw, laws_of
+from masonry.assembly.scattered_laws import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of
 from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, specimen_of

@@ -12,7 +12,7 @@ from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, Material
-from masonry.model.motion import velocities_of
+from masonry.model.start_velocities import velocities_of
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene

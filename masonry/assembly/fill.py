@@ -13,7 +13,7 @@ from geometry.polyhedra.polygons import cut, pad
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import add_force
-from masonry.scene.tables.loading import Fill
+from masonry.scene.tables.loads_and_supports import Fill
 
 UPWARD, COVERED = 1e-6, 1e-6
 """Cosine above which a face looks up; the share of it that lies in joints, above which it bears no earth."""

@@ -14,14 +14,14 @@ from masonry.loading.plan import PacedPlan, Plan
 from masonry.loading.programs import followed, passage, program, require_few, rise, smooth, steps_at
 from masonry.loading.scheduled import Program
 from masonry.scene import Scene
-from masonry.scene.tables.history import Timed
-from masonry.scene.tables.loading import Drive
+from masonry.scene.tables.load_history import Timed
+from masonry.scene.tables.loads_and_supports import Drive
 
 AnyPlan = TypeVar("AnyPlan", bound=Program | PacedPlan)
 
 FEWEST = 2000
-"""Steps in which dead loads settle where the scene does not say, and nobody has looked how many they need: settling.py
-tries so many first."""
+"""Steps in which dead loads settle where the scene does not say, and nobody has looked how many they need:
+settling_search.py tries so many first."""
 
 
 TILTED = 1e-7

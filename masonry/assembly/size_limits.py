@@ -9,7 +9,7 @@ from geometry.polyhedra.measures import volumes
 from masonry.assembly.specimens import blocks_from
 from masonry.errors import SceneError
 from masonry.scene import Scene
-from masonry.scene.tables.points import DENSITIES
+from masonry.scene.tables.point_counts import DENSITIES
 from masonry.scene.tables.specimens.structures import Structure
 
 BLOCKS, CONTACT_POINTS, TETS = 5e5, 5e6, 5e6

@@ -4,10 +4,10 @@ import inspect
 from pathlib import Path
 from typing import Any, get_args
 
+from masonry.entry_points import plugins
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.plugins import all_law_names, plugin_law
-from masonry.plugins import plugins
 from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
 

@@ -38,8 +38,8 @@ APART = {
     "movie": ("masonry.cli.movie_command", "make a movie of a folder of results: cracks beside the curve"),
     "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
-    "sweep": ("masonry.sweep.command", "run a scene many times over: grid, list or Latin hypercube"),
-    "sensitivity": ("masonry.comparison.command", "run a scene in several ways: what does the answer depend on?"),
+    "sweep": ("masonry.sweep.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
+    "sensitivity": ("masonry.comparison.study_command", "run a scene in several ways: what does the answer depend on?"),
     "verify": ("verification.command", "run cases with known answers, and compare"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
 }

@@ -7,7 +7,7 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.assembly.assemble import assemble
-from masonry.comparison import table
+from masonry.comparison import study_table
 from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
 from masonry.errors import SceneError
@@ -32,7 +32,7 @@ class Sensitivity:
     rows: list[dict[str, Any]]
 
     def __repr__(self) -> str:
-        return table.text(self.rows)
+        return study_table.text(self.rows)
 
 
 def sensitivity(
@@ -72,7 +72,7 @@ def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
     with writing(folder):
         (folder / PICTURE).unlink(missing_ok=True)
         with WholeFiles(folder) as files:
-            files.text(CSV, table.as_csv(rows))
-            files.text(TABLE, table.as_json(rows))
+            files.text(CSV, study_table.as_csv(rows))
+            files.text(TABLE, study_table.as_json(rows))
             if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):
                 write_png(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))

@@ -16,7 +16,7 @@ from masonry.runtime.text_files import json_of, text_of
 from masonry.scene import Scene, to_toml
 from masonry.sweep.engine import run_alone
 from masonry.sweep.job import Job
-from masonry.sweep.store import Row
+from masonry.sweep.run_store import Row
 from masonry.sweep.work import OK
 
 SCENE, TABLE = "scene.toml", "sensitivity.json"

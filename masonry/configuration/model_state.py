@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.configuration.configuration import configuration_of
 from masonry.model.model import Model
-from masonry.runtime.state import Damaged, add_array
+from masonry.runtime.state_file import Damaged, add_array
 
 
 def state(model: Model) -> dict[str, np.ndarray]:

@@ -8,7 +8,7 @@ from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.pictures.style import heading, tidy
-from masonry.results.frames import without_noise
+from masonry.results.frame_choice import without_noise
 from masonry.rows.peak import peak_row
 
 if TYPE_CHECKING:
@@ -24,11 +24,11 @@ def curve_figure(result: "ResultData") -> Any:
         return hysteresis_figure(result)
     grown = result.summary.collapse_load
     if grown is not None and grown.branch is not None and grown.branch.led:
-        from masonry.curves.branch import branch_figure
+        from masonry.curves.branch_curve import branch_figure
 
         return branch_figure(result)
     if not result.has_drive and len(result.history.rows.get("step", ())):
-        from masonry.curves.settling import settling_figure
+        from masonry.curves.settling_curve import settling_figure
 
         return settling_figure(result)
     from masonry.pictures.figure import ShownFigure

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.drawings.one_contact import Path, follow
-from masonry.laws.dispatch import beside
+from masonry.laws.law_dispatch import beside
 from masonry.laws.state import JointProperties
 
 COMPRESSIONS = (0.1e6, 0.5e6, 1.0e6)

@@ -7,7 +7,7 @@ from numba import prange
 from masonry.jit.compiler import inner, jit, jit_parallel
 from masonry.jit.extending import register_jitable
 from masonry.laws.cone import acted, slip_of
-from masonry.laws.dispatch import contacts_at_once
+from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
 from masonry.simd import any_lane, below, gather, local, or_zero, put_rows, put_where, take, unless, width_of

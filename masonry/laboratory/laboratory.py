@@ -10,14 +10,14 @@ from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
 from masonry.laboratory.cost import candidates, expected, expected_seconds
 from masonry.laboratory.quality import cells_text, quality_lines
-from masonry.laboratory.remarks.catalogue import doubts_of_run, remarks_of_check
-from masonry.laboratory.remarks.checks.unit_weights import unit_weights
+from masonry.laboratory.remarks.checks.unit_weight_densities import unit_weights
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.remark_catalogue import doubts_of_run, remarks_of_check
 from masonry.laboratory.result import Result
-from masonry.laboratory.settling import settled
+from masonry.laboratory.settling_search import settled
 from masonry.laboratory.summary.provenance import provenance_of
 from masonry.laboratory.summary.run_summary import add_tilt, summarise
-from masonry.laws.dispatch import word_of
+from masonry.laws.law_dispatch import word_of
 from masonry.model.damping import damping_words
 from masonry.results.data import properties_by_group
 from masonry.results.joint_resultants import resultants

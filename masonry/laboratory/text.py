@@ -10,8 +10,8 @@ import numpy as np
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
-from masonry.results.frames import without_noise
-from masonry.results.reactions import reaction_lines
+from masonry.results.frame_choice import without_noise
+from masonry.results.reaction_words import reaction_lines
 from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Summary
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record

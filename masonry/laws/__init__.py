@@ -1,4 +1,4 @@
-"""Contact laws: equations only, a file each. `dispatch.py` lets them into the step, `factory.py` checks their numbers.
+"""Contact laws: equations only, a file each. `law_dispatch.py` lets them into the step, `factory.py` checks numbers.
 
 Laws of other packages come in by `plugins.py`, and import what they need from here.
 """

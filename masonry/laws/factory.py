@@ -7,7 +7,7 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.dispatch import beside, shear_intact
+from masonry.laws.law_dispatch import beside, shear_intact
 from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.laws.snap_back import Refusal, lost_in_shear
 from masonry.laws.state import JointProperties

@@ -2,7 +2,7 @@
 
 from masonry.jit.extending import overload, register_jitable
 from masonry.laws import softening
-from masonry.laws.dispatch import beside
+from masonry.laws.law_dispatch import beside
 
 
 def _of(parameters_class: type, name: str):

@@ -6,7 +6,7 @@ compression in Pa and where a share of the strength above the residual is left; 
 
 from typing import NamedTuple
 
-from masonry.laws.dispatch import beside
+from masonry.laws.law_dispatch import beside
 
 
 class Refusal(NamedTuple):

@@ -19,7 +19,7 @@ from masonry.laws.cone import (
     spent,
     strength,
 )
-from masonry.laws.dispatch import shear_intact, tension_area, tension_intact
+from masonry.laws.law_dispatch import shear_intact, tension_area, tension_intact
 from masonry.laws.state import ContactHistory, grown
 from masonry.simd import any_lane, filled, maximum, minimum, or_zero, where
 

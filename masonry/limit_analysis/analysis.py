@@ -7,9 +7,10 @@ import numpy as np
 
 from geometry.blocks import Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.contacts import POINTS, contacts_of, touching
+from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
-from masonry.limit_analysis.loads import Loads, loads_of
+from masonry.limit_analysis.limit_loads import Loads, loads_of
+from masonry.limit_analysis.limit_result import LimitResult
 from masonry.limit_analysis.remarks import (
     CLOSED,
     block_words,
@@ -19,7 +20,6 @@ from masonry.limit_analysis.remarks import (
     say_what_it_is,
     scene_remarks,
 )
-from masonry.limit_analysis.result import LimitResult
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import without_dilation

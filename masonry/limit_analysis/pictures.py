@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Joints
-from masonry.limit_analysis.data import LimitData
+from masonry.limit_analysis.limit_data import LimitData
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces

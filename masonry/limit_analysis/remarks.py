@@ -4,8 +4,8 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError
-from masonry.limit_analysis.contacts import rises, sliding_fraction, strong_groups
-from masonry.limit_analysis.data import LimitData, set_of
+from masonry.limit_analysis.contact_strengths import rises, sliding_fraction, strong_groups
+from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
 from masonry.statics.problem import STEEP, RigidBodies, RigidContacts, Solution

@@ -11,7 +11,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, SuddenCracks
 from masonry.rows.rest_criterion import BRAKED
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state_file import State, attributes, load_attributes
 
 JUMP, LEAST = 10.0, 1e-5
 """A sudden crack: kinetic energy over what is usual at this speed of the drive, and over the stored energy."""

@@ -9,7 +9,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.kinematics.motion import Guided
 from masonry.monitors.events import Event
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 Arrays = dict[str, np.ndarray]
 Rows = dict[str, np.ndarray]
@@ -45,7 +45,7 @@ class LoadingOutcome:
 class Loading(Remembering, ABC):
     """How the load of a run advances: the time loop takes one chunk after the other until there is none.
 
-    REMEMBERED, parts  all that the next chunk depends on, but for the model (runtime/state.py): a checkpoint keeps it
+    REMEMBERED, parts  all that the next chunk depends on, but for the model (runtime/state_file): a checkpoint keeps it
     """
 
     @abstractmethod

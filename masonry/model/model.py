@@ -8,10 +8,20 @@ from geometry.blocks import Blocks, Joints
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
-from masonry.model.arrays import Bodies, Contacts, Groups, bodies_of, group_state, in_rows, initial_state, number_sides
+from masonry.model.body_arrays import (
+    Bodies,
+    Contacts,
+    Groups,
+    bodies_of,
+    group_state,
+    in_rows,
+    initial_state,
+    number_sides,
+)
 from masonry.model.contact_groups import contact_groups
 from masonry.model.damping import Damping, damping_in_steps, expects_motion, local_damping
 from masonry.model.kinds import dof_words
+from masonry.model.large.block_motion import masses_behind
 from masonry.model.large.meeting import (
     Large,
     Meetings,
@@ -22,8 +32,7 @@ from masonry.model.large.meeting import (
     pushed,
     without_sides,
 )
-from masonry.model.large.motion import masses_behind
-from masonry.model.large.stable_step import with_dashpots
+from masonry.model.large.row_sums import with_dashpots
 from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.step_cost import StepCost, step_cost

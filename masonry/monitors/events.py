@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.model.model import Model
-from masonry.runtime.state import State
+from masonry.runtime.state_file import State
 
 PARTED = 0.02
 """Of the most that was stored: what a specimen that came apart is taken to store, as its pieces still move."""

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.laws.dispatch import beside, shear_intact
+from masonry.laws.law_dispatch import beside, shear_intact
 from masonry.laws.snap_back import lost_in_shear
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.configuration.energy import Seen
 from masonry.model.model import Model
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state_file import State, attributes, load_attributes
 
 
 @dataclass(frozen=True)

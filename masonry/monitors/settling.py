@@ -9,7 +9,7 @@ from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.unrest import EachBlock
 from masonry.rows.rest_criterion import DOUBTED, still_moving
-from masonry.runtime.state import State, attributes
+from masonry.runtime.state_file import State, attributes
 
 UNASKED = -1.0
 """What is noted of single blocks where the sums are farther from rest."""

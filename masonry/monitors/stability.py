@@ -11,8 +11,8 @@ from masonry.errors import Stopped, TurnedTooFar
 from masonry.model.kinds import dof_words
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.snap_back import SnapBack
-from masonry.runtime.state import State
+from masonry.monitors.snap_back_watch import SnapBack
+from masonry.runtime.state_file import State
 
 RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from masonry.curves.curve_axes import curve_axes, without_blows
-from masonry.curves.settling import COLOURS, across, movements
+from masonry.curves.settling_curve import COLOURS, across, movements
 from masonry.errors import SceneError
 from masonry.pictures.camera import box_of
 from masonry.pictures.crack_picture import (

@@ -11,7 +11,7 @@ from masonry.errors import SceneError, extra, nearest
 from masonry.movies.scene_3d import FIELDS, Viewer
 from masonry.pictures.camera import VIEWS
 from masonry.pictures.crack_picture import magnification
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData

@@ -10,13 +10,13 @@ from masonry.pictures.camera import box_of, usual_view
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.front import FlatDrawing, group_colours
-from masonry.pictures.large.drawing import MovedDrawing
+from masonry.pictures.large.moved_blocks import MovedDrawing
 from masonry.pictures.large.scale_bar import draw_scale_bar
 from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE
-from masonry.results.frames import at_peak, moment, without_noise
+from masonry.results.frame_choice import at_peak, moment, without_noise
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:

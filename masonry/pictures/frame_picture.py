@@ -8,7 +8,7 @@ from masonry.errors import SceneError, nearest
 from masonry.pictures.camera import VIEWS
 from masonry.pictures.crack_picture import gallery
 from masonry.pictures.style import plain, write_png
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -23,7 +23,7 @@ def draw_frame(
 ) -> str:
     """Write the picture (.png) of the frame nearest to `step`, whole or not at all.
 
-    step   as masonry.results.frames.choose takes it
+    step   as masonry.results.frame_choice.choose takes it
     view   "front", "back", "side" or "iso"; by default that which shows how it falls, else the front
     times  by how much displacements are drawn larger; by default so that they show
 

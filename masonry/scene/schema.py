@@ -8,13 +8,13 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, model_va
 from masonry.errors import did_you_mean, nearest
 from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
-from masonry.scene.tables.contact import Contact, MaterialTable
+from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.gauge import Curve, GaugeTable
+from masonry.scene.tables.gravity_and_floor import Floor, Gravity, InitialMotion
 from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.limit import LimitLoad
-from masonry.scene.tables.loading import Drive, Fill, Settle, Solver, Support, Traction
-from masonry.scene.tables.motion import Floor, Gravity, InitialMotion
-from masonry.scene.tables.points import DENSITIES, PerAxis
+from masonry.scene.tables.loads_and_supports import Drive, Fill, Settle, Solver, Support, Traction
+from masonry.scene.tables.point_counts import DENSITIES, PerAxis
 from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen import Specimen
 from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table

@@ -5,9 +5,9 @@ MASONRY_LANES=0 the functions of `load_store.py` and `rows.py` hand out plain nu
 kernels, compiled for numbers, do the same work.
 """
 
-from masonry.simd import exponential  # noqa: F401  math.exp learns of lanes
+from masonry.simd import exp_of_lanes  # noqa: F401  math.exp learns of lanes
 from masonry.simd.arithmetic import PLAIN
-from masonry.simd.columns import eight_rows
+from masonry.simd.eight_rows import eight_rows
 from masonry.simd.gather import gather, gather_corners, put_rows, scatter, take_slopes
 from masonry.simd.load_store import EIGHT, FOUR, eight, four, local, or_zero, put, put_where, take, width_of
 from masonry.simd.rows import numbers, pack, part, plus, put_row, take_row

@@ -6,7 +6,7 @@ from numba.extending import intrinsic
 
 from masonry.jit.extending import overload
 from masonry.simd.arithmetic import DOUBLE, PLAIN, WORD, Lanes
-from masonry.simd.columns import load_column, names_rows, store_column
+from masonry.simd.eight_rows import load_column, names_rows, store_column
 from masonry.simd.pointers import pointer_to, unpacked
 from masonry.simd.select import filled
 

@@ -12,7 +12,7 @@ from scipy import sparse
 from scipy.optimize import linprog
 
 from masonry.statics.equilibrium import equilibrium
-from masonry.statics.linear import pyramids
+from masonry.statics.linear_programming import pyramids
 from masonry.statics.no_dilation import forces_without_sliding
 from masonry.statics.plane import flattened, plane_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution

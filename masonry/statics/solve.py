@@ -13,7 +13,7 @@ from masonry.statics.balance import unbalanced
 from masonry.statics.cones import solve_cones
 from masonry.statics.equilibrium import Equilibrium, equilibrium
 from masonry.statics.interior_point import Tell
-from masonry.statics.linear import solve_linear
+from masonry.statics.linear_programming import solve_linear
 from masonry.statics.plane import flattened, plane_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Sizes, Solution
 from masonry.statics.sizes import alike, of_each

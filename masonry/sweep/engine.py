@@ -10,9 +10,9 @@ from masonry.errors import SceneError
 from masonry.runtime.lock import sole
 from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import ProgressLines, Tell
-from masonry.sweep.folder import DOING
 from masonry.sweep.job import Job, names
-from masonry.sweep.store import Row, Store
+from masonry.sweep.run_store import Row, Store
+from masonry.sweep.sweep_folder import DOING
 from masonry.sweep.work import ERROR, RunEnd, compute
 
 WORKERS = 2

@@ -3,7 +3,7 @@
 scene.toml        the resolved scene, from the start
 run.json          threads, and seconds between two checkpoints
 HOW-TO-GO-ON.txt  the command that goes on, for who finds the folder
-state-000012.npz  the last two checkpoints (runtime/state.py); the older one stands in where the newer one is damaged
+state-000012.npz  the last two checkpoints (state_file.py); the older one stands in where the newer one is damaged
 """
 
 import contextlib
@@ -17,7 +17,7 @@ from typing import Any
 from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
 from masonry.errors import SceneError
 from masonry.runtime.folder import sweep_up
-from masonry.runtime.state import Damaged, State, read, write
+from masonry.runtime.state_file import Damaged, State, read, write
 
 GENERATIONS = 2
 SCENE, HOW, HOW_TO = "scene.toml", "run.json", "HOW-TO-GO-ON.txt"

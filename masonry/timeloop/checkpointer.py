@@ -7,7 +7,7 @@ from collections.abc import Callable
 from masonry.configuration import model_state
 from masonry.errors import SceneError
 from masonry.model.model import Model
-from masonry.runtime.state import Remembers, State
+from masonry.runtime.state_file import Remembers, State
 from masonry.timeloop.checkpoint import Checkpoints
 
 FIRST = 60.0

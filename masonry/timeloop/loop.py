@@ -22,7 +22,7 @@ from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.observers import observers_of

@@ -1,7 +1,7 @@
 """What observes a run at its rows, by the names under which a checkpoint keeps it."""
 
 from masonry.configuration.configuration import configuration_of
-from masonry.model.large.stable_step import STRETCH
+from masonry.model.large.row_sums import STRETCH
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse, LargestDeformation
 from masonry.monitors.collisions.collision import Collision

@@ -9,7 +9,7 @@ import numba
 from geometry.jit_cache import NOT_KEPT
 from masonry.configuration.configuration import configuration_of
 from masonry.errors import SceneError, Stopped
-from masonry.laws.dispatch import word_of
+from masonry.laws.law_dispatch import word_of
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
 from masonry.rows.history import History

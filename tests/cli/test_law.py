@@ -13,7 +13,7 @@ from masonry.drawings.law_picture import law_figure
 from masonry.drawings.law_portrait import COMPRESSIONS, portrait
 from masonry.errors import SceneError
 from masonry.laws.factory import build
-from masonry.scene.tables.contact import Contact
+from masonry.scene.tables.contact_group import Contact
 from tests.laws.own_package import files_of_page, install, on_the_path
 from verification.fixtures.one_contact import law
 from verification.references import closed_forms

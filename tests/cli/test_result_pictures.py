@@ -17,7 +17,7 @@ from masonry.movies.movie import Movie
 from masonry.movies.movie_file import write_movie
 from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnification, panel_title, travelled_fraction
 from masonry.pictures.frame_picture import draw_frame
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 from masonry.results.store import NUMBERS
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red

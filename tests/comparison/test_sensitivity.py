@@ -9,7 +9,7 @@ import pytest
 
 import masonry
 from masonry.cli.main import main
-from masonry.comparison import table
+from masonry.comparison import study_table
 from masonry.comparison.picture import figure_of
 from masonry.comparison.study import _deviations
 from masonry.errors import SceneError
@@ -50,7 +50,7 @@ def test_the_table_stands_in_three_forms_and_the_picture_beside_it(done):
     assert float(rows[2]["peak_stress_pa"]) == done.rows[2]["peak_stress_pa"]
     assert rows[2]["settings"] == "contact.unit_unit.coupling = 'independent'"
     content = json.loads((done.folder / "sensitivity.json").read_text(encoding="utf-8"))
-    assert content["runs"] == done.rows and content["sentence"] == table.sentence(done.rows)
+    assert content["runs"] == done.rows and content["sentence"] == study_table.sentence(done.rows)
     assert (done.folder / "sensitivity.png").read_bytes()[1:4] == b"PNG"
     assert repr(done).splitlines()[0].split("  ")[0] == "run" and "as it is" in repr(done)
 
@@ -133,7 +133,7 @@ def compared(*rows):
 def test_the_sentence_names_what_moves_each_figure_most():
     weak = row(variant="plates", kind="plates", peak_stress_pa=0.9e6, dissipated_j=2.01)
     tough = row(variant="coupling", kind="coupling", peak_stress_pa=1.02e6, final_stress_pa=6e5)
-    assert table.sentence(compared(row(), weak, tough)) == (
+    assert study_table.sentence(compared(row(), weak, tough)) == (
         "The answer rests on these choices: they move the peak by -10 % (plates), the end stress by +20 % (coupling)."
     )
 
@@ -143,11 +143,11 @@ def test_what_did_not_end_is_not_compared_and_an_end_stress_of_nothing_is_held_a
         variant="pace", kind="pace", status="STOPPED", verdict="stopped", trust_sentence="why", peak_stress_pa=3e6
     )
     base, near = row(final_stress_pa=1e3), row(variant="cells", kind="cells", final_stress_pa=2e3)
-    said = table.sentence(compared(base, lost, near))
+    said = study_table.sentence(compared(base, lost, near))
     assert said.startswith("No variant moves any of these by more than 1 %") and "pace (stopped)" in said
-    assert "pace: stopped, why" in table.text(compared(base, lost, near))
+    assert "pace: stopped, why" in study_table.text(compared(base, lost, near))
     far = row(variant="cells", kind="cells", final_stress_pa=2e5)
-    assert "the end stress by +20 % of the peak (cells)" in table.sentence(compared(base, far))
+    assert "the end stress by +20 % of the peak (cells)" in study_table.sentence(compared(base, far))
 
 
 def test_a_figure_that_is_nothing_in_the_base_has_no_deviation():

@@ -10,7 +10,7 @@ from typing import Any
 from masonry.cli.main import APART, main, parser
 from masonry.laboratory import laboratory
 from masonry.scene import load
-from masonry.sweep.plan import plan
+from masonry.sweep.planned_runs import plan
 from masonry.sweep.read import read
 from tests.docs.pages import RUN, Block
 

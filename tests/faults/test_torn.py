@@ -5,7 +5,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from masonry.runtime.state import Damaged, read, write
+from masonry.runtime.state_file import Damaged, read, write
 from tests.faults.compare import differences
 from tests.faults.samples import half_done, resume
 

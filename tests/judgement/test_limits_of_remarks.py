@@ -9,9 +9,9 @@ import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.checks import rocking as may_rock
+from masonry.laboratory.remarks.checks import free_rocking as may_rock
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.runs import blow, closed_joints, left_floor, rocking, turned_beds, unrest
+from masonry.laboratory.remarks.runs import blow, closed_joints, left_floor, rocking, turned_beds, unrest_at_end
 from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
 from masonry.monitors.collapse import LeftFloor
 from masonry.scene import load
@@ -205,12 +205,12 @@ def test_a_dilation_that_does_not_end_within_the_travel_of_the_drive_or_the_skin
     ],
 )
 def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, of_one, words, monkeypatch):
-    monkeypatch.setattr(unrest, "left_of_motion", lambda model, most: np.array([0.0, of_one]))
+    monkeypatch.setattr(unrest_at_end, "left_of_motion", lambda model, most: np.array([0.0, of_one]))
     model = SimpleNamespace(layout=SimpleNamespace(centroid=np.array([[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]])))
     plan = SimpleNamespace(ends_before=lambda steps: False)
     assembly = SimpleNamespace(scene=SimpleNamespace(solver=SimpleNamespace(until="rest")), model=model, plan=plan)
     rows = {"kinetic": np.array([0.0, 4.0, 4.0 * of_all])}
-    doubts = unrest.doubts(inspected(assembly, history=SimpleNamespace(rows=rows), steps=9))
+    doubts = unrest_at_end.doubts(inspected(assembly, history=SimpleNamespace(rows=rows), steps=9))
     assert said(doubts, words) == bool(words)
 
 

@@ -11,7 +11,7 @@ from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.judgement.words import percent
-from masonry.laboratory import quality, settling
+from masonry.laboratory import quality, settling_search
 from masonry.laboratory.summary.symmetry import symmetry_lost
 from masonry.laboratory.text import loads_text
 from masonry.model.step_cost import StepCost
@@ -37,8 +37,8 @@ def tried(monkeypatch, assembly: Assembly, unbalanced: list[float], moving: list
         steps.append(trial)
         return SimpleNamespace(run=lambda *_: None, observed=seen)
 
-    monkeypatch.setattr(settling, "Loop", loop)
-    return steps, settling.settled(assembly, 1, None, lambda: False).scene.settle.steps
+    monkeypatch.setattr(settling_search, "Loop", loop)
+    return steps, settling_search.settled(assembly, 1, None, lambda: False).scene.settle.steps
 
 
 @pytest.mark.parametrize(
@@ -59,9 +59,9 @@ def test_dead_loads_have_settled_where_the_last_five_looks_found_all_at_rest(unb
 
 def test_trials_end_at_128000_steps(monkeypatch):
     loop = SimpleNamespace(run=lambda *_: None, observed=defaultdict(lambda: np.ones(50)))
-    monkeypatch.setattr(settling, "Loop", lambda *_: loop)
+    monkeypatch.setattr(settling_search, "Loop", lambda *_: loop)
     with pytest.raises(Stopped, match=r"in 128000 steps: 1 of them are still unbalanced \(should be under 0.0001\)"):
-        settling.settled(assemble(load("arch").with_({"settle": None})), 1, None, lambda: False)
+        settling_search.settled(assemble(load("arch").with_({"settle": None})), 1, None, lambda: False)
 
 
 @pytest.fixture(scope="module")

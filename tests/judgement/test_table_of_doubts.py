@@ -8,7 +8,7 @@ import pytest
 from masonry.judgement import doubts
 from masonry.judgement.catalogue import criteria, modules_of
 from masonry.judgement.doubt import Criterion
-from masonry.laboratory.remarks import dry_joints, hinges, runs, scenes
+from masonry.laboratory.remarks import edge_reach, hinges, runs, scenes
 
 PAGE = (Path(__file__).parents[2] / "docs" / "trust.md").read_text(encoding="utf-8")
 ROWS = [
@@ -16,7 +16,7 @@ ROWS = [
 ]
 LIMITS = {name: row[2] for row in ROWS for name in re.findall(r"`([a-z_0-9]+)`", row[0])}
 """By the name of a doubt."""
-FILES = [*modules_of(scenes), *modules_of(runs), hinges, dry_joints]
+FILES = [*modules_of(scenes), *modules_of(runs), hinges, edge_reach]
 OF_BLOCKS = {name: file for file in FILES for name in re.findall(r'Doubt\(\s*"(\w+)"', Path(file.__file__).read_text())}
 """The file of each doubt from blocks and joints."""
 

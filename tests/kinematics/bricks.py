@@ -7,7 +7,7 @@ from masonry.kernels.step import advance
 from masonry.kinematics import deforming, deforming_tets, turning
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.turning import Turning
-from masonry.model.arrays import Bodies, in_rows
+from masonry.model.body_arrays import Bodies, in_rows
 from masonry.model.large.bodies import large
 from masonry.model.model import Model
 

@@ -5,7 +5,7 @@ import pytest
 
 from masonry.kinematics import turning
 from masonry.kinematics.motion import Guided
-from masonry.model.arrays import in_rows
+from masonry.model.body_arrays import in_rows
 from tests.kinematics import bricks
 
 H, STEPS, DT = 0.05, 40, 1e-3

@@ -5,7 +5,7 @@ import pytest
 
 from masonry.kinematics import turning
 from masonry.kinematics.dispatch import move, update_positions
-from masonry.model.arrays import in_rows
+from masonry.model.body_arrays import in_rows
 from tests.kinematics import bricks
 
 RATES = np.array([0.1, 10.0, 0.1])

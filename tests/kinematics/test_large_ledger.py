@@ -9,7 +9,7 @@ from geometry.joints.find import find_joints
 from geometry.meshes.nonmatching import surface_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
 from masonry.kinematics.dispatch import move, update_positions
-from masonry.model.arrays import in_rows
+from masonry.model.body_arrays import in_rows
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
 from tests.kinematics import bricks

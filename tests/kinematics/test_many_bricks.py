@@ -7,7 +7,7 @@ from masonry.kinematics import turning
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.motion import Guided
 from masonry.kinematics.turning import Turning
-from masonry.model.arrays import in_rows
+from masonry.model.body_arrays import in_rows
 from tests.kinematics import bricks
 
 COUNT, DT, STEPS = 21, 1e-3, 300

@@ -13,7 +13,7 @@ from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.laboratory import laboratory
-from masonry.model.large.motion import outer_tets
+from masonry.model.large.block_motion import outer_tets
 from masonry.patches.press import stored_energy
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh

@@ -8,13 +8,13 @@ from contextlib import contextmanager
 from importlib import invalidate_caches
 from pathlib import Path
 
-from masonry import plugins
+from masonry import entry_points
 from masonry.laws import plugins as outside
 from masonry.scene.tables import law_keys
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "own-laws.md"
 BLOCK = re.compile(r"^```\{code-block\} \w+\n:caption: ([\w.]+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-CACHES = (plugins.plugins, outside.plugin_law, law_keys.keys_of, law_keys._with_keys)
+CACHES = (entry_points.plugins, outside.plugin_law, law_keys.keys_of, law_keys._with_keys)
 
 
 def files_of_page() -> dict[str, str]:

@@ -10,7 +10,7 @@ from masonry.laboratory.text import summary_text
 from masonry.laws.factory import build
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 
 KN, KS, MU = 30e9, 12e9, 0.65
 GIVEN = {"law": "friction", "normal_stiffness": KN, "shear_stiffness": KS, "tan_friction": MU}

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from masonry import plugins
+from masonry import entry_points
 from masonry.drawings.law_portrait import portrait
 from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
@@ -195,11 +195,11 @@ def test_a_scene_of_our_own_laws_does_not_look_for_others(monkeypatch):
         raise AssertionError(f"looked for {group}")
 
     monkeypatch.setattr("importlib.metadata.entry_points", look)
-    plugins.plugins.cache_clear()
+    entry_points.plugins.cache_clear()
     try:
         Job("wallette-mode-1", {"law": "linear"}).key()
     finally:
-        plugins.plugins.cache_clear()
+        entry_points.plugins.cache_clear()
 
 
 def test_the_key_of_a_result_changes_with_the_source_of_its_law(tmp_path):

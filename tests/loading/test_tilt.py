@@ -5,7 +5,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.assembly.schedule import plan_of
-from masonry.curves.settling import settling_figure
+from masonry.curves.settling_curve import settling_figure
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
 from masonry.monitors.reactions import Surroundings

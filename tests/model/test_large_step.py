@@ -8,7 +8,7 @@ from masonry.kinematics.dispatch import move, update_positions
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
 from masonry.model import model, stable_step
-from masonry.model.large import stable_step as large_sums
+from masonry.model.large import row_sums as large_sums
 from masonry.model.large.bodies import large
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
@@ -22,7 +22,7 @@ LAME, MU = models.STONE.lame()
 
 @pytest.fixture
 def with_large_sums(monkeypatch) -> dict:
-    """Models are built on the sums of large/stable_step.py; returns what it was called with."""
+    """Models are built on the sums of large/row_sums.py; returns what it was called with."""
     seen = {}
 
     class Sums:

@@ -9,7 +9,7 @@ from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from masonry.loading.drive.utilisation import utilisation
-from masonry.monitors.snap_back import SnapBack
+from masonry.monitors.snap_back_watch import SnapBack
 
 STRENGTHS = ("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2")
 SMALL = {"specimen.divisions": [2, 1]}

@@ -15,8 +15,8 @@ from masonry.configuration.energy import Seen
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
 from masonry.laboratory import laboratory
+from masonry.monitors.collisions.block_corners import Corners
 from masonry.monitors.collisions.collision import Collision, overlap_along
-from masonry.monitors.collisions.corners import Corners
 from masonry.monitors.observer import View
 from tests.geometry.polyhedra.test_solids import box as solid_box
 from tests.geometry.polyhedra.test_solids import tube

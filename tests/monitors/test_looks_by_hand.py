@@ -10,7 +10,7 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.configuration import joint_forces, large
 from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
-from masonry.configuration.parts.affine import AffinePart, DeformingPart
+from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND

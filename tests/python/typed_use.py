@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 import masonry
 from masonry.laboratory.result import Result
-from masonry.limit_analysis.result import LimitResult
+from masonry.limit_analysis.limit_result import LimitResult
 from masonry.results.data import Peak
 from masonry.scene import Scene
 

@@ -6,7 +6,7 @@ import pytest
 from masonry.errors import SceneError
 from masonry.movies.movie import Movie
 from masonry.pictures.crack_picture import panel_title
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 from tests.results.sample import sample
 from tests.results.test_pictures import resting
 

@@ -13,8 +13,8 @@ from masonry.pictures.camera import camera_of, front_view, iso_view, usual_view
 from masonry.pictures.crack_picture import cracks_figure, drawing_of, gallery
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.large.depth_order import farthest_first, overlaps
-from masonry.pictures.large.drawing import MovedDrawing, seen_pieces
 from masonry.pictures.large.edges import continued
+from masonry.pictures.large.moved_blocks import MovedDrawing, seen_pieces
 from masonry.pictures.large.scale_bar import round_length, words
 from masonry.pictures.oblique import SolidDrawing
 from masonry.rows.history import Frame, History

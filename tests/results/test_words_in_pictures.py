@@ -8,7 +8,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from masonry.curves.curve import curve_figure
 from masonry.pictures.crack_picture import panel_title
-from masonry.results.frames import choose
+from masonry.results.frame_choice import choose
 from tests.results.sample import sample
 
 

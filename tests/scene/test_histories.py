@@ -9,7 +9,7 @@ from masonry.errors import SceneError
 from masonry.loading.programs import passage
 from masonry.scene import load, to_toml
 from masonry.scene.tables.expression import read
-from masonry.scene.tables.history import timed
+from masonry.scene.tables.load_history import timed
 
 SINE = "0.1 mm * sin(2 pi t / 1 s) * ramp(t / 4 s)"
 T = np.linspace(0.0, 4.0, 101)

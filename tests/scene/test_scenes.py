@@ -6,7 +6,7 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.scene import load, packaged
-from masonry.scene.tables.contact import interpolate
+from masonry.scene.tables.contact_group import interpolate
 
 
 @pytest.mark.parametrize("name", packaged())

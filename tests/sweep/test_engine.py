@@ -8,10 +8,10 @@ from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
 from masonry.runtime.lock import sole
 from masonry.sweep import engine
-from masonry.sweep.folder import DOING
 from masonry.sweep.job import SHOWING, Job, names
-from masonry.sweep.store import Store
-from masonry.sweep.table import verdicts_text
+from masonry.sweep.run_store import Store
+from masonry.sweep.sweep_folder import DOING
+from masonry.sweep.sweep_table import verdicts_text
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
-from masonry.sweep.plan import plan
+from masonry.sweep.planned_runs import plan
 from masonry.sweep.points import points
 from masonry.sweep.read import read
 from tests.sweep.samples import text

@@ -3,9 +3,9 @@
 import pytest
 from matplotlib.figure import Figure
 
-from masonry.sweep import picture
+from masonry.sweep import sweep_picture
 from masonry.sweep.job import Job
-from masonry.sweep.plan import Planned
+from masonry.sweep.planned_runs import Planned
 from masonry.sweep.work import OK
 
 
@@ -25,9 +25,9 @@ def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, mo
         folder.mkdir(parents=True)
         (folder / "curve.csv").write_text("displacement [m],stress [Pa]\n0,0\n1,1\n")
     drawn: list[Figure] = []
-    monkeypatch.setattr(picture, "write_png", lambda figure, path: drawn.append(figure))
-    monkeypatch.setattr(picture, "WholeFiles", Quiet)
-    picture.draw(tmp_path, "two keys", runs, rows)
+    monkeypatch.setattr(sweep_picture, "write_png", lambda figure, path: drawn.append(figure))
+    monkeypatch.setattr(sweep_picture, "WholeFiles", Quiet)
+    sweep_picture.draw(tmp_path, "two keys", runs, rows)
     axes = drawn[0].axes[0]
     assert len({tuple(line.get_color()) for line in axes.lines}) == 6
     legend = axes.get_legend()
@@ -62,5 +62,5 @@ class Quiet:
     ids=["one key", "together", "many", "none"],
 )
 def test_the_colour_shows_the_key_that_varies(runs, label, different):
-    name, values = picture.coloured_by(runs)
+    name, values = sweep_picture.coloured_by(runs)
     assert name == label and len(set(values)) == different

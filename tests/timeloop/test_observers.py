@@ -5,7 +5,7 @@ import numpy as np
 from masonry.assembly.assemble import assemble
 from masonry.rows.columns import UNITS
 from masonry.rows.history import History
-from masonry.runtime.state import read, write
+from masonry.runtime.state_file import read, write
 from masonry.scene import load
 from masonry.timeloop import timeloop
 from masonry.timeloop.loop import Loop

@@ -91,7 +91,7 @@ def test_what_cannot_stand_is_told_with_what_moves_and_what_to_look_at():
 
 
 def test_without_damping_nothing_comes_to_rest(monkeypatch):
-    monkeypatch.setattr("masonry.laboratory.settling.LONGEST", 4000)
+    monkeypatch.setattr("masonry.laboratory.settling_search.LONGEST", 4000)
     with pytest.raises(Stopped, match=r"not come to rest in 4000 steps: .* of them are still unbalanced.*damping"):
         laboratory.run(column(0.0))
 

@@ -5,7 +5,7 @@ from functools import cache
 import pytest
 
 from masonry.limit_analysis.analysis import LimitSettings, analyse
-from masonry.limit_analysis.result import LimitResult
+from masonry.limit_analysis.limit_result import LimitResult
 from tests.turned.comparing import ABOUT_BEDS, ABOUT_X, CYCLIC, MIRRORED, NUMBERED, OBLIQUE, TURNS
 from verification.checks.turned import NoSuchScene, turned
 from verification.scene_runs import load

@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.model.contact_groups import contact_group_name
-from masonry.scene.tables.contact import Contact
+from masonry.scene.tables.contact_group import Contact
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import InterfaceModel, model

@@ -16,8 +16,8 @@ from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import selected, with_own_points
 from geometry.specimens.placed import rotation
 from masonry.assembly import assemble, conditions, gauge_places, growing_loads
-from masonry.limit_analysis import analysis, contacts
-from masonry.limit_analysis.loads import Loads, loads_of
+from masonry.limit_analysis import analysis, contact_strengths
+from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.model import loads
 from masonry.model.gauges import Gauge, Place, gauge
 from masonry.model.layout import Layout, Material, lay_out
@@ -83,7 +83,7 @@ def turned(scene: Scene, turn: Turn) -> Iterator[Scene]:
             (assemble, "conditions_of", other.conditions),
             (assemble, "let_grow", other.let_grow),
             (assemble, "gauges_of", other.gauges),
-            (contacts, "joined", other.joined),
+            (contact_strengths, "joined", other.joined),
             (analysis, "loads_of", other.bodies_and_loads),
         ):
             stack.enter_context(patch.object(module, name, method))

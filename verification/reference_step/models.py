@@ -15,7 +15,7 @@ from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
 from masonry.model import loads
-from masonry.model.arrays import Bodies
+from masonry.model.body_arrays import Bodies
 from masonry.model.layout import KINDS, Material, lay_out
 from masonry.model.model import Model, Stepping, build, sort_by_group
 from masonry.timeloop import compiled_step

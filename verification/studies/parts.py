@@ -14,7 +14,7 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.configuration.chunk import Chunk
 from masonry.kinematics.motion import Guided
 from masonry.loading.scheduled import Program
-from masonry.model.arrays import Bodies, Groups, group_state, in_rows, initial_state
+from masonry.model.body_arrays import Bodies, Groups, group_state, in_rows, initial_state
 from masonry.model.model import Model
 from masonry.timeloop.compiled_step import advance_model
 from verification.convergence.joint_in_tension import SCENE as PULLED

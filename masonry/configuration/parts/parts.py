@@ -1,9 +1,9 @@
 """The bodies of a model by how they move: the one place that asks for the kind of a body."""
 
-from masonry.configuration.parts.affine import AffinePart, DeformingPart
+from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
+from masonry.configuration.parts.meshed_blocks import DeformingTetPart, TetPart
 from masonry.configuration.parts.part import MovingPart
-from masonry.configuration.parts.rigid import RigidPart, TurningPart
-from masonry.configuration.parts.tets import DeformingTetPart, TetPart
+from masonry.configuration.parts.rigid_blocks import RigidPart, TurningPart
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.deforming import Deforming
 from masonry.kinematics.deforming_tets import DeformingTets

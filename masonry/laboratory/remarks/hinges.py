@@ -7,7 +7,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.parts.parts import parts_of
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.dry_joints import is_dry
+from masonry.laboratory.remarks.edge_reach import is_dry
 from masonry.laboratory.remarks.joint_faces import Faces, corners_of
 
 SLIVER = 1e-3
@@ -48,7 +48,7 @@ def hinges_of(assembly: Assembly, faces: Faces) -> Hinges:
 
 def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]:
     """One for each contact group with such joints between blocks that may turn about them; of dry ones `rocking` of
-    `dry_joints.py` says so."""
+    `edge_reach.py` says so."""
     model = assembly.model
     first = faces.order[faces.start[hinges.face]]
     turns, count = _may_turn(assembly), np.zeros(len(model.group_names), dtype=int)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.laws.dispatch import tension_intact
+from masonry.laws.law_dispatch import tension_intact
 from masonry.laws.state import JointProperties
 
 STRIPS, PLACES, CURVE = 32, 48, 200

@@ -7,7 +7,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.loading.moves.moved import dofs
 from masonry.loading.varying_loads import works_of
 from masonry.model.model import Model
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class Account(Remembering):

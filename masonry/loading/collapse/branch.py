@@ -23,7 +23,7 @@ from masonry.loading.moves.moved import Arrays, moved_since, reach
 from masonry.loading.varying_loads import works_of
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
-from masonry.runtime.state import Remembering, Remembers, State, attributes
+from masonry.runtime.state_file import Remembering, Remembers, State, attributes
 
 UNTIL, ZERO, MOST, AWAY, TURNED, LATE = "until", "zero", "up_to", "runs away", "turned", "late"
 """How a branch ends: the gauge is where it was to be led to; the factor is 0; or the greatest that the scene allows;

@@ -8,7 +8,7 @@ from math import inf, log
 
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing_settings import GrowingSettings
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""

@@ -24,7 +24,7 @@ from masonry.loading.plan import PacedPlan
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.rows.columns import FACTOR, OFF_BALANCE
-from masonry.runtime.state import State
+from masonry.runtime.state_file import State
 
 TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 20, 2000, 5
 """What a run takes: trials, the steps of one at least, and rows of one, with the fall's."""

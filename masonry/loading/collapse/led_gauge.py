@@ -6,7 +6,7 @@ from masonry.loading.moves.moved import Arrays, copied_dofs
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class LedGauge(Remembering):

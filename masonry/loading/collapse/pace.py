@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.loading.collapse.growing_settings import GrowingSettings
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class Pace(Remembering):

@@ -20,7 +20,7 @@ from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
 from masonry.loading.collapse.trials import Trials
 from masonry.monitors.settling import unbalanced
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class Phase(Remembering, ABC):

@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.loading.collapse.growing_settings import FallingSettings
 from masonry.loading.collapse.led_gauge import LedGauge
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class Servo(Remembering):

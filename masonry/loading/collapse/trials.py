@@ -18,7 +18,7 @@ from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.rows.rest_criterion import RestCriterion
-from masonry.runtime.state import Remembering, Remembers, attributes
+from masonry.runtime.state_file import Remembering, Remembers, attributes
 
 
 class FactorLoad(Remembering):

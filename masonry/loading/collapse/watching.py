@@ -14,7 +14,7 @@ from masonry.loading.collapse.growing_settings import GrowingSettings
 from masonry.loading.moves.drift import Drift
 from masonry.loading.moves.moved import Arrays, moved_since
 from masonry.model.model import Model
-from masonry.runtime.state import Remembering, State
+from masonry.runtime.state_file import Remembering, State
 
 
 class FallWatch(Remembering):

@@ -22,7 +22,7 @@ from masonry.loading.plan import PacedPlan
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Event
-from masonry.runtime.state import Remembers, attributes
+from masonry.runtime.state_file import Remembers, attributes
 
 RESTART = 0.25
 """Speed after a turn over the speed at which the drive came to it."""

@@ -5,7 +5,7 @@ import numpy as np
 from masonry.configuration.energy import Seen
 from masonry.loading.drive.utilisation import utilisation
 from masonry.model.model import Model
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class Approach(Remembering):

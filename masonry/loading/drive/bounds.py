@@ -8,7 +8,7 @@ from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.increments import DriveRow, Increments
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED
-from masonry.runtime.state import State
+from masonry.runtime.state_file import State
 
 
 class DragLook(NamedTuple):

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from masonry.configuration.energy import Seen
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class DriveRow(NamedTuple):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class DrivePath(Remembering):

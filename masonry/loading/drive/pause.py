@@ -3,7 +3,7 @@
 from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.model.model import Model
 from masonry.monitors.events import SuddenCracks
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class DrivePause(Remembering):

@@ -11,7 +11,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.kinematics.motion import Guided
 from masonry.model.damping import LITTLE
 from masonry.model.model import Model
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state_file import State, attributes, load_attributes
 
 RATIO, SUDDEN = 0.2, 2.0
 """Viscosity over the critical one at the frequency of the expected motion: where all moves as expected, and where

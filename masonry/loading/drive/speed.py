@@ -7,7 +7,7 @@ from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.programs import smooth
 from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 class DriveSpeed(Remembering):

@@ -7,7 +7,7 @@ from masonry.configuration.energy import Seen
 from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.predictor import Predictor
 from masonry.model.model import Model
-from masonry.runtime.state import Remembering
+from masonry.runtime.state_file import Remembering
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:

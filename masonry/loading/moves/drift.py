@@ -10,7 +10,7 @@ import numpy as np
 from masonry.configuration.parts.parts import parts_of
 from masonry.loading.moves.moved import Arrays, dofs
 from masonry.model.model import Model
-from masonry.runtime.state import State
+from masonry.runtime.state_file import State
 
 
 class Drift:

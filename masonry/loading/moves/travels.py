@@ -10,7 +10,7 @@ from masonry.model.model import Model
 from masonry.monitors.stability import smallest_block
 from masonry.monitors.unrest import EachBlock
 from masonry.rows.rest_criterion import RestCriterion
-from masonry.runtime.state import State, attributes, load_attributes
+from masonry.runtime.state_file import State, attributes, load_attributes
 
 REMEMBERED = ("most", "travelled")
 

@@ -10,7 +10,7 @@ from masonry.kinematics.deforming_tets import DeformingTets, mean_slopes
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
 from masonry.kinematics.turning import Turning
-from masonry.model.arrays import Bodies, in_rows
+from masonry.model.body_arrays import Bodies, in_rows
 
 
 def large(bodies: Bodies, inertia: np.ndarray, apart: np.ndarray | None = None) -> Bodies:

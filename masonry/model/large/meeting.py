@@ -19,10 +19,10 @@ from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
-from masonry.model.arrays import Bodies, in_rows
+from masonry.model.body_arrays import Bodies, in_rows
+from masonry.model.large.block_motion import free_bodies, masses_behind, masses_of, motion_of, outer_tets, sizes_of
 from masonry.model.large.bodies import deforming, deforming_tets, turning
-from masonry.model.large.motion import free_bodies, masses_behind, masses_of, motion_of, outer_tets, sizes_of
-from masonry.model.large.stable_step import affine_row_sums, contact_row_sums, levers, tet_row_sums
+from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
 from masonry.patches.arrays import Near, Rules, Search, no_footprint, no_former_patch, no_points

@@ -13,7 +13,7 @@ from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centr
 from geometry.polyhedra.overlaps import overlap, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
-from masonry.monitors.collisions.corners import Corners, moved
+from masonry.monitors.collisions.block_corners import Corners, moved
 from masonry.monitors.observer import Observer, View
 
 DEEP = 1e-4

@@ -4,9 +4,9 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
-from masonry.scene.tables.history import read_factors
-from masonry.scene.tables.loading import Accuracy, Selector
-from masonry.scene.tables.motion import Coordinate
+from masonry.scene.tables.gravity_and_floor import Coordinate
+from masonry.scene.tables.load_history import read_factors
+from masonry.scene.tables.loads_and_supports import Accuracy, Selector
 from masonry.scene.tables.types import Direction, Given, KeyedError, StressVector, Table
 
 Force = Annotated[float, Given("force", "[-1e15, 1e15]")]

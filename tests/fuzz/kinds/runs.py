@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from masonry.runtime.shell import OK, USAGE
-from masonry.runtime.state import write
+from masonry.runtime.state_file import write
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
 from tests.fuzz import sound

@@ -10,7 +10,7 @@ import pytest
 import masonry
 from masonry.errors import SceneError
 from masonry.limit_analysis import analysis
-from masonry.limit_analysis.contacts import rises, touching
+from masonry.limit_analysis.contact_strengths import rises, touching
 from masonry.statics.no_dilation import Flat
 from tests.limit.one_block import SIDEWAYS, STRONG, block
 from tests.scenes import load

@@ -9,7 +9,7 @@ import pytest
 from scipy import sparse
 
 import masonry
-from masonry.limit_analysis.contacts import contacts_of, sliding_fraction, touching
+from masonry.limit_analysis.contact_strengths import contacts_of, sliding_fraction, touching
 from masonry.statics.interior_point import Programme, true_gap
 from masonry.statics.no_dilation import _LoadPath, without_dilation
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from masonry.results import frames
+from masonry.results import frame_choice
 from masonry.results.dry_joints import moved_undamaged, without_parted
 from masonry.results.joint_resultants import resultants, resultants_csv
 from masonry.rows.history import History
@@ -84,7 +84,7 @@ def test_the_nearest_frame_is_meant_be_it_before_or_behind():
     kept = [opened(blocks, joints_of(blocks), 1e-3 * k, 100 * k) for k in (0, 1, 2, 4)]
     result = SimpleNamespace(history=History({}, kept), in_real_time=False, has_drive=True)
     for asked, step in ((120, 100), (170, 200), (290, 200), (310, 400), (9999, 400), ("1.4 mm", 100), ("1.6 mm", 200)):
-        assert frames.choose(result, asked).frame.step == step
+        assert frame_choice.choose(result, asked).frame.step == step
 
 
 def test_a_joint_that_is_pressed_has_not_opened_however_soft_it_is():

@@ -5,7 +5,7 @@ The limits are those of the settling, for the same reasons.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.settling import rests
+from masonry.judgement.doubts.motion.settling_all_blocks import rests
 from masonry.judgement.doubts.motion.settling_block import KINETIC_BLOCK, UNBALANCED_BLOCK
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at

@@ -6,7 +6,7 @@ the sum ten times, and its energy the square of that.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.settling import ADVICE, is_asked, rests
+from masonry.judgement.doubts.motion.settling_all_blocks import ADVICE, is_asked, rests
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
 from masonry.rows.rest_criterion import DOUBTED

@@ -7,7 +7,7 @@ They decide where no block moved by more than a thousandth of the smallest one: 
 import numpy as np
 
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.dry_joints import is_dry
+from masonry.laboratory.remarks.edge_reach import is_dry
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.stability import smallest_block
 

@@ -7,7 +7,7 @@ movement of any contact.
 import numpy as np
 
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.dry_joints import rocking
+from masonry.laboratory.remarks.edge_reach import rocking
 from masonry.laboratory.remarks.inspection import Inspection
 
 LIFTED = 1e-3

@@ -12,8 +12,8 @@ from masonry.assembly.assemble import Assembly
 from masonry.configuration.configuration import configuration_of
 from masonry.judgement.doubt import Doubt
 from masonry.laws.state import JointProperties
-from masonry.scene.tables.contact import Contact
-from masonry.scene.tables.loading import Drive
+from masonry.scene.tables.contact_group import Contact
+from masonry.scene.tables.loads_and_supports import Drive
 
 
 def doubts(assembly: Assembly) -> list[Doubt]:

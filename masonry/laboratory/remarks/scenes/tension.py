@@ -11,7 +11,7 @@ from masonry.judgement.doubt import Doubt
 from masonry.laws.factory import NOTHING, properties_of
 from masonry.laws.state import JointProperties
 from masonry.monitors.stability import smallest_block
-from masonry.scene.tables.contact import Contact
+from masonry.scene.tables.contact_group import Contact
 
 
 def doubts(assembly: Assembly) -> list[Doubt]:

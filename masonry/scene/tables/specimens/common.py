@@ -5,7 +5,7 @@ from typing import Any, Literal
 from pydantic import model_validator
 
 from masonry.scene.tables.cells import CellsTable, exclude
-from masonry.scene.tables.points import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
+from masonry.scene.tables.point_counts import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
 from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SignedAngle, Table
 
 

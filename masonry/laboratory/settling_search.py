@@ -11,7 +11,7 @@ from masonry.errors import Stopped
 from masonry.rows.history import History
 from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import Scene
-from masonry.scene.tables.loading import Settle
+from masonry.scene.tables.loads_and_supports import Settle
 from masonry.timeloop.loop import Loop
 from masonry.timeloop.recording import Outcome
 

@@ -10,9 +10,9 @@ from typing import Any
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.judgement.doubt import VERDICTS
-from masonry.sweep.plan import Planned
+from masonry.sweep.planned_runs import Planned
 from masonry.sweep.points import si
-from masonry.sweep.store import Row
+from masonry.sweep.run_store import Row
 
 TABLE, PARQUET = "sweep.csv", "sweep.parquet"
 HOW = ("status", "verdict", "doubts", "reason", "seconds")

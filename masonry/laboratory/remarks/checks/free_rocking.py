@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.parts.parts import parts_of
-from masonry.laboratory.remarks.dry_joints import rocking
+from masonry.laboratory.remarks.edge_reach import rocking
 
 
 def remarks(assembly: Assembly) -> list[str]:

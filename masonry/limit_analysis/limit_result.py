@@ -4,9 +4,9 @@ import json
 from pathlib import Path
 
 from geometry.files.atomic import WholeFiles
-from masonry.limit_analysis.data import LimitData
+from masonry.limit_analysis.limit_data import LimitData
+from masonry.limit_analysis.limit_text import result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
-from masonry.limit_analysis.text import result_text
 from masonry.pictures.style import write_png
 
 

@@ -6,9 +6,9 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from masonry.quantity import KINDS
-from masonry.scene.tables import history as histories
-from masonry.scene.tables.history import Timed
-from masonry.scene.tables.loading import LoadHistory, Selector
+from masonry.scene.tables import load_history as histories
+from masonry.scene.tables.load_history import Timed
+from masonry.scene.tables.loads_and_supports import LoadHistory, Selector
 from masonry.scene.tables.types import (
     Acceleration,
     Duration,

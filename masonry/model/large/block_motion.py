@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
-from masonry.model.arrays import Bodies, whole_rows
+from masonry.model.body_arrays import Bodies, whole_rows
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
 from masonry.patches.arrays import BlockMotion

@@ -9,7 +9,7 @@ from masonry.curves.curve_axes import tilt_axis
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.pictures.style import MILLI, heading, plain, tidy
-from masonry.results.reactions import reaction_lines
+from masonry.results.reaction_words import reaction_lines
 from masonry.rows.columns import FACTOR, LARGE_UNITS, OFF_BALANCE, TILT, UNITS
 
 if TYPE_CHECKING:

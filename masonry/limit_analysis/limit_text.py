@@ -4,7 +4,7 @@ from math import inf
 
 import numpy as np
 
-from masonry.limit_analysis.data import LimitData, set_of
+from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.runtime.tables import Rows, aligned
 
 

@@ -12,8 +12,8 @@ from masonry.errors import SceneError, visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, Parser, tell
-from masonry.sweep.folder import COPY, DOING, folder_for
 from masonry.sweep.read import Sweep, read
+from masonry.sweep.sweep_folder import COPY, DOING, folder_for
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
@@ -33,7 +33,7 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry.sweep.plan import listing, plan
+    from masonry.sweep.planned_runs import listing, plan
 
     words = parser().parse_args(arguments)
     if words.workers < 1:
@@ -62,8 +62,8 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
     from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
-    from masonry.sweep.picture import PICTURE, draw
-    from masonry.sweep.table import PARQUET, TABLE, table_of, verdicts_text, write_table
+    from masonry.sweep.sweep_picture import PICTURE, draw
+    from masonry.sweep.sweep_table import PARQUET, TABLE, table_of, verdicts_text, write_table
 
     with sole(folder, DOING), writing(folder):
         for stale in (PARQUET, TABLE, PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():

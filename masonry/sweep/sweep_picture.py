@@ -11,9 +11,9 @@ from masonry.errors import SceneError
 from masonry.pictures.style import MEGA, MILLI, plain, write_png
 from masonry.results.validate import MOST
 from masonry.runtime.text_files import text_of
-from masonry.sweep.plan import Planned
-from masonry.sweep.store import Row
-from masonry.sweep.table import swept
+from masonry.sweep.planned_runs import Planned
+from masonry.sweep.run_store import Row
+from masonry.sweep.sweep_table import swept
 from masonry.sweep.work import OK
 
 PICTURE = "sweep.png"

@@ -6,7 +6,7 @@ from typing import Any
 from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.lock import LOCK
 from masonry.sweep.read import Sweep, read_toml
-from masonry.sweep.table import TABLE
+from masonry.sweep.sweep_table import TABLE
 
 COPY = "sweep.toml"
 DOING = "runs a sweep into it"

@@ -3,10 +3,10 @@
 import numpy as np
 
 from masonry.errors import Stopped
-from masonry.laws.dispatch import word_of
+from masonry.laws.law_dispatch import word_of
 from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
 from masonry.model.model import Model
-from masonry.runtime.state import State
+from masonry.runtime.state_file import State
 
 
 class SnapBack:

@@ -5,8 +5,8 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, PlainSerializer, ValidationInfo, model_validator
 
 from masonry.quantity import convert
-from masonry.scene.tables import history as histories
-from masonry.scene.tables.history import History, Timed, is_timed
+from masonry.scene.tables import load_history as histories
+from masonry.scene.tables.load_history import History, Timed, is_timed
 from masonry.scene.tables.types import (
     Damping,
     Density,

@@ -9,7 +9,7 @@ from masonry.errors import SceneError
 from masonry.laws.factory import made
 from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
-from masonry.scene.tables.points import PerAxis
+from masonry.scene.tables.point_counts import PerAxis
 from masonry.statics.crushing import crushing_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 
