@@ -44,6 +44,8 @@ def observe(model: Model) -> Observation:
     stress = np.zeros((model.blocks.count, 6))
     elastic, least, longest = 0.0, 1.0, 1.0
     for part in parts_of(model):
+        if not part.deforms:
+            continue
         of_part = np.zeros((len(part.blocks), 6))
         strain = part.strain(of_part)
         elastic, least, longest = elastic + strain.energy, min(least, strain.least), max(longest, strain.longest)
@@ -69,7 +71,8 @@ def present(model: Model) -> list[tuple[str, Any]]:
 def works(model: Model) -> np.ndarray:
     """J so far: work of the contacts, the damping and all loads on the bodies; and, in large displacement, what free
     rotors lose and blocks that deform take up."""
-    return np.asarray(np.sum([part.body.work.sum(axis=0) for part in parts_of(model)], axis=0))
+    first, *others = (part.body.work.sum(axis=0) for part in parts_of(model))
+    return np.asarray(sum(others, start=first))
 
 
 def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:

@@ -52,9 +52,8 @@ class SmallDisplacement:
         return np.array(self.model.contacts.force)
 
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        force = self.model.contacts.force
-        block, arm = self._sides
-        return block, np.concatenate([force, -force]).T.copy(), arm
+        force, (block, arm) = self.model.contacts.force.T, self._sides
+        return block, np.concatenate([force, -force], axis=1), arm
 
     @cached_property
     def _sides(self) -> tuple[np.ndarray, np.ndarray]:

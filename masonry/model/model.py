@@ -1,6 +1,7 @@
 """Blocks + properties -> the flat arrays that the step runs on. Owns dtype (float64) and units (SI)."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -58,6 +59,7 @@ class Model:
     swept  contact groups whose law the step calls
     alive  (C,) which contacts hold; patches take the place of those that do not
     large  what there is besides in large displacement; configuration/configuration.py asks whether there is
+    parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     """
 
     blocks: Blocks
@@ -84,6 +86,7 @@ class Model:
     scaled: bool = True
     large: Large | None = None
     motion: dict[str, np.ndarray] | None = None
+    parts: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within

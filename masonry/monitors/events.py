@@ -22,7 +22,10 @@ class Event(NamedTuple):
 
 
 class SuddenCracks:
-    """The sudden cracks of a run, and the one that goes on, if one does."""
+    """The sudden cracks of a run, and the one that goes on, if one does.
+
+    densities, damped  what contacts (C, 3) J/m2 and damping (J) had taken when the specimen followed its drive last
+    """
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -33,25 +36,30 @@ class SuddenCracks:
     def calm(self, step: int) -> None:
         """The specimen follows its drive after this step."""
         self.going_on, self.step = False, step
-        self.dissipated, self.damped = self._dissipated(), self._damped()
+        self.densities, self.damped = self._densities(), self._damped()
 
     def sudden(self, step: int) -> None:
         """It has moved by itself since the last look; a crack that goes on is one with what came before."""
         if self.going_on:
             self.events.pop()
-        grown = self._dissipated() - self.dissipated
+        grown = self._energies(self._densities()) - self._energies(self.densities)
         contact = int(np.argmax(grown)) if grown.max(initial=0.0) > 0.0 else -1
         self.events.append(Event(self.step, step, self._damped() - self.damped, contact))
         self.going_on = True
 
     def anything_dissipated(self) -> bool:
         """Whether any contact has dissipated energy so far."""
-        return bool(self.dissipated.any())
+        return bool(self.densities.any())
 
-    def _dissipated(self) -> np.ndarray:
-        """(C,) J that each contact has dissipated."""
+    def _densities(self) -> np.ndarray:
+        """(C, 3) J/m2 that each contact has dissipated: a copy."""
         dissipated = self.model.state.dissipated
-        return np.zeros(0) if dissipated is None else self.model.joints.area * dissipated.sum(axis=1)
+        return np.zeros((0, 3)) if dissipated is None else dissipated.copy(order="K")
+
+    def _energies(self, densities: np.ndarray) -> np.ndarray:
+        """(C,) J."""
+        mode_1, mode_2, friction = densities.T
+        return np.asarray(self.model.joints.area[: len(densities)] * (mode_1 + mode_2 + friction))
 
     def _damped(self) -> float:
         """J that damping has taken from all bodies."""
@@ -64,7 +72,7 @@ class SuddenCracks:
             "events": events,
             "going_on": self.going_on,
             "step": self.step,
-            "dissipated": self.dissipated,
+            "densities": self.densities,
             "damped": self.damped,
         }
 
@@ -72,7 +80,7 @@ class SuddenCracks:
         """Go on from there."""
         self.events = [Event(int(a), int(b), c, int(d)) for a, b, c, d in state["events"].tolist()]
         self.going_on, self.step = state["going_on"], state["step"]
-        self.dissipated, self.damped = state["dissipated"], state["damped"]
+        self.densities, self.damped = state["densities"], state["damped"]
 
 
 def table(model: Model, events: list[Event], rows: dict[str, np.ndarray], least: float) -> list[dict[str, Any]]:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.jit_cache import compiled
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Observation
 from masonry.configuration.parts.parts import parts_of
@@ -78,9 +79,27 @@ class Frames:
         free = np.zeros(layout.volume.shape)
         free[which[(self.model.bodies.rigid.dt_over_mass > 0.0).all(axis=1)]] = 1.0
         sides, force, arm = self.configuration.forces_on_blocks()
-        sums = [0.5 * np.bincount(sides, force[i] * arm[j] + force[j] * arm[i], len(free)) for i, j in PAIRS]
-        stress: np.ndarray = np.stack(sums, axis=1)[which] * (free / layout.volume)[which, None]
+        sums = np.zeros((len(free), len(PAIRS)))
+        add_force_times_arm(sides, force, arm, sums)
+        stress: np.ndarray = (0.5 * sums)[which] * (free / layout.volume)[which, None]
         return stress
+
+
+@compiled
+def add_force_times_arm(sides, force, arm, sums):
+    """Add twice the symmetric part of force (3, K) times arm (3, K) to the sums (B, 6) of the blocks `sides` (K,)."""
+    for k in range(len(sides)):
+        for c, (i, j) in enumerate(PAIRS):
+            sums[sides[k], c] += force[i, k] * arm[j, k] + force[j, k] * arm[i, k]
+
+
+def compile_frame(model: Model) -> None:
+    """Compile what a frame needs."""
+    for part in parts_of(model):
+        if not part.kind.nodal:
+            part.moved_corners(np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+    if model.bodies.rigid is not None:
+        add_force_times_arm(*configuration_of(model).forces_on_blocks(), np.zeros((model.blocks.count, len(PAIRS))))
 
 
 def nearest_nodes(model: Model) -> np.ndarray | None:

@@ -12,7 +12,7 @@ from masonry.model.loads import Conditions
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
-FORCE, MOMENT = slice(0, 3), slice(3, 6)
+FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -121,9 +121,8 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     """
     damping, inertia = np.zeros(6), np.zeros(6)
     for part, old in zip(parts_of(model), before, strict=True):
-        rows = np.arange(len(part.body.v))
-        damping += part.resultant(rows, np.where(part.free, part.body.hold, 0.0))
-        inertia -= part.resultant(rows, part.gained(old) / model.dt)
+        damping += part.resultant(ALL, np.where(part.free, part.body.hold, 0.0))
+        inertia -= part.resultant(ALL, part.gained(old) / model.dt)
     return damping, inertia
 
 

@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import fields
+from typing import Any
 
 import numpy as np
 
@@ -11,7 +12,6 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.setting_off import set_off
 from masonry.errors import TurnedTooFar
-from masonry.kernels.step import reaction
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse
@@ -58,6 +58,7 @@ class Loop:
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {"watch": self.watch, **observers_of(model, recording)}
+        self.driven, self.supported = holding(model, model.drives), holding(model, model.supports)
         self.loads_along = recording.surroundings.along(model, recording.axis)
         self.camera = Frames(model)
         self.frames: list[Frame] = []
@@ -210,11 +211,11 @@ class Loop:
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive
-        count with the support."""
+        count with the support. Forces that hold are added up one after the other, as the step does."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
         stress, support = (
-            sum(reaction(b, f) for b, f in zip(model.bodies, dofs, strict=True)) / area * sign
-            for dofs in (model.drives, model.supports)
+            sum(float(np.cumsum(body.hold[dofs])[-1]) for body, dofs in held) / area * sign
+            for held in (self.driven, self.supported)
         )
         support += float(self.loads_along @ load_factors) / area * sign
         return {
@@ -266,6 +267,12 @@ class Loop:
         self.loading.restore(state["loading"])
         for name, observer in self.observers.items():
             observer.restore(state["observers"][name])
+
+
+def holding(model: Model, dofs: tuple[np.ndarray | None, ...]) -> list[tuple[Any, tuple[np.ndarray, ...]]]:
+    """Bodies and their held dofs, rows (n,) and numbers (n,); from those of each kind (n, 2) or None."""
+    each = zip(model.bodies, dofs, strict=True)
+    return [(body, tuple(held.astype(np.intp).T)) for body, held in each if held is not None and len(held)]
 
 
 def append(columns: Columns, row: dict[str, float]) -> None:

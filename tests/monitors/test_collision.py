@@ -235,8 +235,8 @@ def test_the_overlap_over_a_face_is_the_least_shift_along_its_turned_normal_that
     place = np.stack([corners + corners @ turn.T, corners @ np.linalg.qr(rng.standard_normal((3, 3)))[0] + 1.5])
     normal = np.eye(3)[0] - turn.T @ np.eye(3)[0]
     normal /= np.linalg.norm(normal)
-    gradient, one = np.stack([turn, np.zeros((3, 3))]), np.array([0])
-    (overlap,) = overlap_along(place, gradient, one, 1 - one, np.eye(3)[:1])
+    gradient = np.stack([turn, np.zeros((3, 3))])
+    overlap = overlap_along(place, gradient, 0, 1, np.eye(3)[0])
     assert overlap > 0.1
     parted = place[1] + overlap * normal
     assert (parted @ normal).min() == pytest.approx((place[0] @ normal).max(), abs=1e-14)

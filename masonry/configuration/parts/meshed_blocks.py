@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.configuration.parts.part import MovingPart, Strain
+from masonry.configuration.parts.part import MovingPart, Rows, Strain
 from masonry.kinematics import deforming_tets, tets
 from masonry.kinematics.matrices import rotation_angles, rotations
 
@@ -16,8 +16,8 @@ class TetPart(MovingPart):
     def strain(self, stress: np.ndarray) -> Strain:
         return Strain(tets.observe(self.body, self.model.u, stress))
 
-    def moments(self, rows: np.ndarray, forces: np.ndarray) -> np.ndarray:
-        return np.zeros((len(rows), 3))
+    def moments(self, rows: Rows, forces: np.ndarray) -> np.ndarray:
+        return np.zeros((len(forces), 3))
 
     def rotations(self) -> np.ndarray:
         mean = np.zeros((len(self.blocks), 3))

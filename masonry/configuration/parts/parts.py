@@ -25,6 +25,9 @@ PART: dict[type, type[MovingPart]] = {
 
 
 def parts_of(model: Model) -> list[MovingPart]:
-    """The kinds of bodies that a model has, in the order of layout.KINDS."""
-    bodies = zip(KIND.values(), model.bodies, strict=True)
-    return [PART[type(body)](model, kind, body) for kind, body in bodies if body is not None]
+    """The kinds of bodies that a model has, in the order of layout.KINDS; made once for the bodies that it has."""
+    if model.parts is None or model.parts[0] is not model.bodies:
+        bodies = zip(KIND.values(), model.bodies, strict=True)
+        model.parts = model.bodies, [PART[type(body)](model, kind, body) for kind, body in bodies if body is not None]
+    parts: list[MovingPart] = model.parts[1]
+    return parts

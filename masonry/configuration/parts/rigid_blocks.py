@@ -2,21 +2,33 @@
 
 import numpy as np
 
-from masonry.configuration.parts.part import MovingPart
+from geometry.jit_cache import compiled
+from masonry.configuration.parts.part import MovingPart, Rows
 from masonry.kinematics import turning
 from masonry.kinematics.matrices import rotation_angles
 
-NEXT, AFTER = [1, 2, 0], [2, 0, 1]
-"""Of x, y and z: what a cross product takes of its factors."""
+
+@compiled
+def move_corners(q, rotation, row, arm, moved):
+    """Write the displacements (p, 3) m of points of rows (p,) with arms (p, 3) m; rotation (b, 3) about x, y, z."""
+    for p in range(len(row)):
+        b = row[p]
+        x, y, z = rotation[b]
+        moved[p, 0] = q[b, 0] + (y * arm[p, 2] - z * arm[p, 1])
+        moved[p, 1] = q[b, 1] + (z * arm[p, 0] - x * arm[p, 2])
+        moved[p, 2] = q[b, 2] + (x * arm[p, 1] - y * arm[p, 0])
 
 
 class RigidPart(MovingPart):
     """Rigid blocks of small rotations about their principal axes."""
 
+    deforms = False
+
     def moved_corners(self, row: np.ndarray, arm: np.ndarray) -> np.ndarray:
         rotation = np.einsum("bij,bj->bi", self.axes, self.body.q[:, 3:])
-        by_rotation = rotation[:, NEXT][row] * arm[:, AFTER] - rotation[:, AFTER][row] * arm[:, NEXT]
-        return np.asarray(self.body.q[:, :3][row] + by_rotation)
+        moved = np.empty(arm.shape)
+        move_corners(self.body.q, rotation, row, arm, moved)
+        return moved
 
     def rotations(self) -> np.ndarray:
         return np.abs(self.body.q[:, 3:])
@@ -106,5 +118,5 @@ class TurningPart(RigidPart):
         """Moments about x, y, z, from those about the principal axes at the start."""
         return np.column_stack([load[:, :3], np.einsum("bij,bj->bi", self.axes[rows], load[:, 3:])])
 
-    def moments(self, rows: np.ndarray, forces: np.ndarray) -> np.ndarray:
+    def moments(self, rows: Rows, forces: np.ndarray) -> np.ndarray:
         return forces

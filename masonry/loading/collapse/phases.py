@@ -132,10 +132,11 @@ class WaitingPhase(Phase):
 
     def count_rest(self, before: list[np.ndarray]) -> bool:
         """Count looks at which all rests; returns whether the sum over all does, and a block or a gauge does not."""
-        model, now = self.trials.model, energy.observe(self.trials.model)
-        kinetic, stored = abs(energy.kinetic(model, before)), now.elastic_blocks + now.elastic_contacts
-        level = self.trials.rest_level
-        rests = unbalanced(model, before) <= level.force and kinetic <= level.energy * stored
+        model, level = self.trials.model, self.trials.rest_level
+        rests = unbalanced(model, before) <= level.force
+        if rests:
+            now = energy.observe(model)
+            rests = abs(energy.kinetic(model, before)) <= level.energy * (now.elastic_blocks + now.elastic_contacts)
         alone = rests and self.trials.travels.moves_alone(before, self.calm)
         self.calm = self.calm + 1 if rests and not alone else 0
         return alone

@@ -209,8 +209,8 @@ class AdaptiveLoading(Loading):
         settings, approach, last = self.settings, self.approach, self.increments
         rise = abs(row.force - last.force)
         self.learn(row.force)
-        used = utilisation(self.model, row.seen, approach.rest)
-        approach.elastic = approach.elastic and used < 1.0 and row.broken <= settings.intact * last.most_stored
+        used = utilisation(self.model, row.seen, approach.rest) if approach.elastic else 1.0
+        approach.elastic = used < 1.0 and row.broken <= settings.intact * last.most_stored
         if approach.elastic:
             factor = self.towards_damage(used)
         else:

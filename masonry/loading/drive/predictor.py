@@ -33,6 +33,7 @@ class Predictor:
         self.model = model
         self.parts = [(part.body, part.masses, part.displacements) for part in parts_of(model)]
         self.last = [place.copy() for _, _, place in self.parts]
+        self.held = [np.nonzero(body.dt_over_mass == 0.0) for body, _, _ in self.parts]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0
         self.half_c_dt, model.damping = AT_FIRST.half_c_dt, AT_FIRST
@@ -52,13 +53,16 @@ class Predictor:
 
         stiffness  N/m, where it is not the force over the displacement
         """
-        rest = sum(float(np.sum(m * (body.v - speed * body.guess) ** 2)) for body, m, _ in self.parts)
-        foreseen = sum(float(np.sum(m * (speed * body.guess) ** 2)) for body, m, _ in self.parts)
+        rest = foreseen = 0.0
+        for body, m, _ in self.parts:
+            expected = speed * body.guess
+            rest += float(np.sum(m * (body.v - expected) ** 2))
+            foreseen += float(np.sum(m * expected**2))
         self.trust = trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
         inertia = 0.0
-        for (body, m, place), last in zip(self.parts, self.last, strict=True):
+        for (body, m, place), last, held in zip(self.parts, self.last, self.held, strict=True):
             body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
-            body.guess[body.dt_over_mass == 0.0] = 0.0
+            body.guess[held] = 0.0
             last[...] = place
             inertia += float(np.sum(m * body.guess**2))
         self.displacement = displacement

@@ -1,5 +1,7 @@
 """The speed of a drive between its increments, and the steps of one."""
 
+from functools import cache
+
 import numpy as np
 
 from masonry.configuration.small import LEAP
@@ -39,11 +41,11 @@ class DriveSpeed(Remembering):
     def to_target(self) -> np.ndarray:
         """(n + 1,) m/s, at each step of an increment that goes on."""
         self.cruise = self.target
-        return self.now + (self.target - self.now) * smooth(np.arange(self.steps + 1) / self.steps)
+        return self.now + (self.target - self.now) * passage(self.steps)
 
     def to_rest(self) -> np.ndarray:
         """(n + 1,) m/s, at each step of one in which the drive comes to rest, or stays there."""
-        return self.now * (1.0 - smooth(np.arange(self.steps + 1) / self.steps))
+        return self.now * (1.0 - passage(self.steps))
 
     def must_stop(self, left: float) -> bool:
         """Whether another increment would leave too little of the path (m) to come to rest on."""
@@ -61,3 +63,9 @@ class DriveSpeed(Remembering):
         """Change the target by a factor, within bounds; goal: m, of the leg."""
         fastest = min(goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
         self.target = float(np.clip(self.target * factor, slowest, fastest))
+
+
+@cache
+def passage(steps: int) -> np.ndarray:
+    """(steps + 1,) the quintic rise from 0 to 1 in so many steps."""
+    return smooth(np.arange(steps + 1) / steps)

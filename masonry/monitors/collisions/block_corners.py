@@ -22,6 +22,7 @@ class Corners:
         self.nearest = self.frames.nearest
         start = blocks.face_start[blocks.block_face_start]
         self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
+        self.members = {k: slice(None) if len(of) == blocks.count else of for k, of in model.layout.members.items()}
         self.place = blocks.points[self.points]
         self.arm = self.place - model.layout.centroid[:, None]
 
@@ -47,13 +48,13 @@ class Corners:
         shift, gradient = np.zeros((count, 3)), np.zeros((count, 3, 3))
         rigid, affine, _ = self.model.bodies
         if rigid is not None:
-            which = layout.members["rigid"]
+            which = self.members["rigid"]
             shift[which] = rigid.q[:, :3]
             x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
             for i, j, rotation in ((1, 0, z), (2, 1, x), (0, 2, y)):
                 gradient[which, i, j], gradient[which, j, i] = rotation, -rotation
         if affine is not None:
-            which = layout.members["affine"]
+            which = self.members["affine"]
             shift[which] = affine.q[:, :3]
             gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
         return shift, gradient

@@ -14,6 +14,7 @@ from geometry.polyhedra.overlaps import overlap, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.collisions.block_corners import Corners, moved
+from masonry.monitors.frames import compile_frame
 from masonry.monitors.observer import Observer, View
 
 DEEP = 1e-4
@@ -92,6 +93,7 @@ class Collision(Observer):
         pairs = overlapping_boxes(self.low - grown, self.high + grown)
         self.pairs = pairs[~np.isin(pairs @ [blocks.count, 1], self.joined)]
         self.one, self.axis = self.pairs[:, 0].copy(), np.zeros((len(self.pairs), 3))
+        self.sum = self.pairs.sum(axis=1)
         if len(self.pairs) and len(self.convex) == 0:
             self.convex = are_convex(blocks, FLAT * extent(blocks))
         gap = self._face_each_other(blocks, np.arange(len(self.pairs)))
@@ -107,11 +109,7 @@ class Collision(Observer):
 
     def _not_parted(self, place: np.ndarray, gradient: np.ndarray, depth: np.ndarray) -> np.ndarray:
         """The candidates that neither the axis between them, turned with its block, nor their boxes still part."""
-        beyond = overlap_along(place, gradient, self.one, self.pairs.sum(axis=1) - self.one, self.axis)
-        near = np.flatnonzero(beyond > depth)
-        a, b = place[self.pairs[near, 0]], place[self.pairs[near, 1]]
-        boxes = np.minimum(a.max(axis=1), b.max(axis=1)) - np.maximum(a.min(axis=1), b.min(axis=1))
-        return near[np.all(boxes > depth[near, None], axis=1)]
+        return np.flatnonzero(overlap_on_all(place, gradient, self.one, self.sum - self.one, self.axis, depth))
 
     def _look_closely(self, step: int, near: np.ndarray, depth: np.ndarray, gradient: np.ndarray) -> None:
         """Stop if these candidates overlap, or make it a doubt; if not, find the axis that parts them now."""
@@ -160,31 +158,44 @@ def are_all_joined(pairs: np.ndarray, blocks: Blocks) -> bool:
 
 
 def compile_look(model: Model) -> None:
-    """Compile what a look needs, on one block, if the model has blocks that can meet."""
+    """Compile what a look needs, on one block, if the model has blocks that can meet; and what frames need."""
+    compile_frame(model)
     if are_all_joined(joined_pairs(model), model.blocks):
         return
     place, gradient, one = np.zeros((1, 1, 3)), np.zeros((1, 3, 3)), np.zeros(1, dtype=np.int64)
     moved(place, place, np.zeros((1, 3)), gradient)
-    overlap_along(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]))
+    overlap_on_all(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]), np.zeros(1))
 
 
 @compiled
-def overlap_along(place, gradient, one, two, axis):
-    """(N,) m how far two blocks overlap along an axis from one to the other; below 0: they are as far apart.
+def overlap_along(place, gradient, a, b, axis):
+    """m, how far block b overlaps block a along an axis from a to b; below 0: they are as far apart.
 
     place     (B, K, 3) m, corners of all blocks
-    gradient  (B, 3, 3) of the displacement of block one, with which the axis has turned
-    axis      (N, 3) from one to two, as it was in the beginning: the normal of a face of block one, or across two edges
+    gradient  (B, 3, 3) of the displacement of each block: the axis has turned with block a
+    axis      (3,) as it was in the beginning: the normal of a face of block a, or across two edges
     """
-    found = np.empty(len(one))
+    n, g = axis, gradient[a]
+    x = n[0] - g[0, 0] * n[0] - g[1, 0] * n[1] - g[2, 0] * n[2]
+    y = n[1] - g[0, 1] * n[0] - g[1, 1] * n[1] - g[2, 1] * n[2]
+    z = n[2] - g[0, 2] * n[0] - g[1, 2] * n[1] - g[2, 2] * n[2]
+    own, other = -np.inf, np.inf
+    for k in range(place.shape[1]):
+        own = max(own, x * place[a, k, 0] + y * place[a, k, 1] + z * place[a, k, 2])
+        other = min(other, x * place[b, k, 0] + y * place[b, k, 1] + z * place[b, k, 2])
+    return (own - other) / np.sqrt(x * x + y * y + z * z)
+
+
+@compiled
+def overlap_on_all(place, gradient, one, two, axis, depth):
+    """(N,) whether two blocks overlap by more than a depth (N,) m along an axis (N, 3) from one to the other, and along
+    x, y and z."""
+    overlap = np.zeros(len(one), dtype=np.bool_)
     for p in range(len(one)):
-        a, b, n, g = one[p], two[p], axis[p], gradient[one[p]]
-        x = n[0] - g[0, 0] * n[0] - g[1, 0] * n[1] - g[2, 0] * n[2]
-        y = n[1] - g[0, 1] * n[0] - g[1, 1] * n[1] - g[2, 1] * n[2]
-        z = n[2] - g[0, 2] * n[0] - g[1, 2] * n[1] - g[2, 2] * n[2]
-        own, other = -np.inf, np.inf
-        for k in range(place.shape[1]):
-            own = max(own, x * place[a, k, 0] + y * place[a, k, 1] + z * place[a, k, 2])
-            other = min(other, x * place[b, k, 0] + y * place[b, k, 1] + z * place[b, k, 2])
-        found[p] = (own - other) / np.sqrt(x * x + y * y + z * z)
-    return found
+        a, b = one[p], two[p]
+        overlap[p] = overlap_along(place, gradient, a, b, axis[p]) > depth[p]
+        for i in range(3 if overlap[p] else 0):
+            of_a, of_b = place[a, :, i], place[b, :, i]
+            common = min(of_a.max(), of_b.max()) - max(of_a.min(), of_b.min())
+            overlap[p] = overlap[p] and common > depth[p]
+    return overlap
