@@ -38,9 +38,10 @@ def run(name: str) -> None:
     output = time.perf_counter() - begun
     memory = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     number = items(assembly)
+    wall = outcome.seconds_run.wall
     print(
         f"{name}: {assembly.specimen.blocks.count} blocks, {number} items: set-up {setup:.1f} s, {outcome.steps} steps "
-        f"{outcome.seconds_run:.1f} s ({1e9 * outcome.seconds_run / outcome.steps / number:.1f} ns per item and step, "
+        f"{wall:.1f} s ({1e9 * wall / outcome.steps / number:.1f} ns per item and step, "
         f"rows included), output {output:.1f} s, largest memory {memory / 1e9:.2f} GB"
     )
     if outcome.stopped or memory > most:

@@ -22,6 +22,7 @@ from masonry.model.damping import damping_words
 from masonry.results.data import properties_by_group
 from masonry.results.joint_resultants import resultants
 from masonry.rows.rest_criterion import SETTLED
+from masonry.runtime.processors import Seconds
 from masonry.scene import Scene, to_toml
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
@@ -49,17 +50,20 @@ def run(
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
-    seconds = 0.0
+    compiling, settling = Seconds(), Seconds()
     if scene.has_dead_loads and scene.settle is None:
-        seconds = timeloop.prepare(assembly.model, threads, progress)
+        compiling = timeloop.prepare(assembly.model, threads, progress)
+        begun = Seconds.now()
         assembly = settled(
             assembly, threads, progress, checkpointer.asked if checkpointer is not None else lambda: False
         )
+        settling = Seconds.now() - begun
         if checkpointer is not None:
             toml = to_toml(assembly.scene)
             checkpointer.run_another(toml, provenance_of(toml))
     outcome = timeloop.run(assembly.model, assembly.plan, assembly.recording, threads, progress, checkpointer)
-    outcome.seconds_compile += seconds
+    outcome.seconds_compile += compiling
+    outcome.seconds_run += settling
     result = result_of(assembly, outcome)
     if outcome.stopped:
         stop = Stopped(outcome.stopped)

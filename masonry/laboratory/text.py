@@ -108,9 +108,9 @@ def summary_rows(summary: Summary) -> Rows:
         ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
         ("sudden cracks", [sudden_text(summary)] if summary.sudden_cracks else []),
         ("steps", ["not known" if summary.steps is None else f"{summary.steps}"]),
-        ("time", [f"{_seconds(summary.seconds_run)} run + {_seconds(summary.seconds_compile)} compile"]),
         ("trust", [trust(summary)]),
         ("advice", advice(summary)),
+        ("time", [summary.time]),
     ]
     return [(name, lines) for name, lines in rows if lines]
 
@@ -312,7 +312,3 @@ def _number(value: float | None, factor: float, unit: str) -> str:
 
 def _share(value: float | None, digits: int = 2) -> str:
     return "not known" if value is None else percent(value, digits)
-
-
-def _seconds(value: float | None) -> str:
-    return "not known" if value is None else duration(value)

@@ -32,7 +32,7 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
         files.text("curve.csv", csv_text(result.history.rows))
         files.text("resultants.csv", resultants_csv(result.resultants))
         files.text("scene.toml", result.scene_toml)
-        files.text("run.log", "".join(line + "\n" for line in result.log))
+        files.text("run.log", "".join(line + "\n" for line in [*result.log, f"time: {result.summary.time}"]))
         files.text("summary.json", json.dumps(dict(result.summary), indent=2, allow_nan=False, default=_plain) + "\n")
     return {name: folder / name for name in NUMBERS}
 

@@ -7,6 +7,7 @@ does not apply to it, and what an older version did not write.
 from dataclasses import dataclass, field
 from typing import Any
 
+from masonry.runtime.progress import duration
 from masonry.runtime.record import Record, list_of, one_of, table_of
 
 
@@ -32,17 +33,27 @@ class Description(Record):
 
 @dataclass(frozen=True, eq=False)
 class Course(Record):
-    """How the run went; `seconds`, of building, compiling and stepping, is that of a run of a sweep."""
+    """How the run went; `seconds`, of building, compiling and stepping, is that of a run of a sweep. Those of processor
+    are of all threads, the others by the clock on the wall."""
 
     steps: int | None = None
     control: dict[str, Any] | None = None
     seconds_run: float | None = None
     seconds_compile: float | None = None
+    seconds_processor_run: float | None = None
+    seconds_processor_compile: float | None = None
     seconds: float | None = None
     time_step_s: float | None = None
     step_fraction: float | None = None
     interrupted: bool | None = None
     stopped: str | None = None
+
+    @property
+    def time(self) -> str:
+        """What it took: `1.2 s run + 12 s compile; of processor 1.2 s + 12 s`."""
+        processor = self.seconds_processor_run, self.seconds_processor_compile
+        words = f"{_duration(self.seconds_run)} run + {_duration(self.seconds_compile)} compile"
+        return words + ("" if None in processor else "; of processor {} + {}".format(*map(_duration, processor)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,3 +246,7 @@ class Trust(Record):
 @dataclass(frozen=True, eq=False)
 class Summary(Trust, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""
+
+
+def _duration(seconds: float | None) -> str:
+    return "not known" if seconds is None else duration(seconds)

@@ -1,7 +1,28 @@
-"""How many processors there are for this process, and for which one its code is compiled."""
+"""How many processors there are for this process, for which one its code is compiled, and how long they work."""
 
 import os
 import platform
+import time
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Seconds:
+    """That a piece of work took: by the clock on the wall, and of processor, by this process with all its threads."""
+
+    wall: float = 0.0
+    processor: float = 0.0
+
+    @classmethod
+    def now(cls) -> "Seconds":
+        """What both clocks read: the difference of two readings is what passed between them."""
+        return cls(time.perf_counter(), time.process_time())
+
+    def __add__(self, other: "Seconds") -> "Seconds":
+        return Seconds(self.wall + other.wall, self.processor + other.processor)
+
+    def __sub__(self, other: "Seconds") -> "Seconds":
+        return Seconds(self.wall - other.wall, self.processor - other.processor)
 
 
 def processors() -> int:

@@ -1,8 +1,7 @@
 """The time loop: chunks of compiled steps; between chunks the history, and the watch for instability."""
 
-import time
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import asdict, fields
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
+from masonry.runtime.processors import Seconds
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
@@ -65,12 +65,12 @@ class Loop:
         self.near_peak: list[tuple[float, Frame, Standing]] = []
         self.heights = np.zeros((0, 2))
         self.highest_row = -np.inf
-        self.earlier, self.begun = 0.0, time.perf_counter()
+        self.earlier, self.begun = Seconds(), Seconds.now()
 
     @property
-    def seconds(self) -> float:
-        """Wall time of the run so far, that of processes before this one included."""
-        return self.earlier + time.perf_counter() - self.begun
+    def seconds(self) -> Seconds:
+        """Time of the run so far, that of processes before this one included."""
+        return self.earlier + Seconds.now() - self.begun
 
     def run(self, progress: Callable[[int, int, str], None] | None, checkpointer: Checkpointer | None) -> None:
         if not self.observed:
@@ -242,7 +242,7 @@ class Loop:
         """All that the run remembers between two chunks, but for the model."""
         return {
             **attributes(self, REMEMBERED),
-            "seconds": self.seconds,
+            "seconds": asdict(self.seconds),
             "rows": {key: np.array(values, dtype=float) for key, values in self.rows.items()},
             "observed": {key: np.array(values) for key, values in self.observed.items()},
             "frames": [_kept(frame) for frame in self.frames],
@@ -258,7 +258,7 @@ class Loop:
         load_attributes(self, REMEMBERED, state)
         load_attributes(self.outcome, FOUND, state["found"])
         self.outcome.standing = {when: Standing(**kept) for when, kept in state["standing"].items()}
-        self.earlier = state["seconds"]
+        self.earlier = Seconds(**state["seconds"])
         self.rows, self.observed = (
             {key: values.tolist() for key, values in state[name].items()} for name in ("rows", "observed")
         )

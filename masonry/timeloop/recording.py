@@ -12,6 +12,7 @@ from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse
+from masonry.runtime.processors import Seconds
 
 
 @dataclass
@@ -28,8 +29,8 @@ class Outcome:
     blow: float = 0.0
     lowest_force: float = 0.0
     displacement_at_lowest: float = 0.0
-    seconds_run: float = 0.0
-    seconds_compile: float = 0.0
+    seconds_run: Seconds = Seconds()
+    seconds_compile: Seconds = Seconds()
     observed: dict[str, np.ndarray] = field(default_factory=dict)
     found: dict[str, Any] = field(default_factory=dict)
     steps: int = 0

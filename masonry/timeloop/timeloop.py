@@ -1,7 +1,6 @@
 """A whole run of a model: its step is compiled or loaded, its chunks are taken, and what it came to is put together."""
 
 import contextlib
-import time
 from collections.abc import Callable
 
 import numba
@@ -13,6 +12,7 @@ from masonry.laws.law_dispatch import word_of
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
 from masonry.rows.history import History
+from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import compile_for, is_compiled
@@ -53,9 +53,9 @@ def run(
     return outcome
 
 
-def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> float:
-    """Have the step of a model compiled, or loaded where it is there already; the seconds that this takes."""
-    begun = time.perf_counter()
+def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> Seconds:
+    """Have the step of a model compiled, or loaded where it is there already; the time that this takes."""
+    begun = Seconds.now()
     if threads > 1:
         _use(threads)
     waiting: contextlib.AbstractContextManager[None] = contextlib.nullcontext()
@@ -65,7 +65,7 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
         waiting = progress.waiting(what) if isinstance(progress, Progress) else waiting
     with waiting:
         compile_for(model, threads)
-    return time.perf_counter() - begun
+    return Seconds.now() - begun
 
 
 def compiling_text(model: Model) -> str:

@@ -8,7 +8,6 @@ from masonry.sweep.job import Job
 from masonry.sweep.work import RunEnd, compute
 
 SHORT: dict[str, Any] = {"settle.steps": 100, "drive.steps": 600, "solver.rows": 20}
-SECONDS = ("seconds", "seconds_run", "seconds_compile")
 
 
 def jobs(*confinements: str, **more: Any) -> list[Job]:
@@ -23,7 +22,7 @@ def text(body: str, steps: int = 600, scene: str = "couplet") -> str:
 
 def untimed(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Rows without what depends on when and where they were run."""
-    return [{name: value for name, value in row.items() if name not in SECONDS} for row in rows]
+    return [{name: value for name, value in row.items() if not name.startswith("seconds")} for row in rows]
 
 
 def marks(folder: Path) -> dict[str, tuple[int, int]]:

@@ -39,8 +39,10 @@ def course(assembly: Assembly, outcome: Outcome) -> Course:
     return Course(
         steps=outcome.steps,
         control=outcome.loading.control(),
-        seconds_run=outcome.seconds_run,
-        seconds_compile=outcome.seconds_compile,
+        seconds_run=outcome.seconds_run.wall,
+        seconds_compile=outcome.seconds_compile.wall,
+        seconds_processor_run=outcome.seconds_run.processor,
+        seconds_processor_compile=outcome.seconds_compile.processor,
         time_step_s=assembly.model.dt,
         step_fraction=assembly.scene.solver.step_fraction,
         interrupted=outcome.interrupted,
