@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.judgement.doubts.peak_passed import LIMIT as RISING
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
@@ -156,8 +157,9 @@ def balance_text(summary: Summary) -> str:
 
 def _peak_rows(summary: Summary) -> Rows:
     section = summary.section_m2
+    rises = "; it still rose at the end" if (summary.rise_at_end or 0.0) > RISING else ""
     return [
-        ("peak stress", [stress_text(summary.peak_stress_pa, section)]),
+        ("peak stress", [stress_text(summary.peak_stress_pa, section) + rises]),
         ("displacement at peak", [_number(summary.displacement_at_peak_m, 1e3, "mm")]),
         ("stress at the end", [stress_text(summary.final_stress_pa, section)]),
     ]

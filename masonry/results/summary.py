@@ -74,6 +74,7 @@ class Extremes(Record):
     peak_force_n: float | None = None
     lowest_stress_pa: float | None = None
     displacement_at_lowest_m: float | None = None
+    rise_at_end: float | None = None
     cycles: list[dict[str, Any]] | None = None
     tilt_rad: float | None = None
     gauges: dict[str, Readings] | None = table_of(Readings)

@@ -39,6 +39,8 @@ LIMITS = [
     (AT_REST, "moving_at_end__kinetic", 1e-4, "block 3 at (0.1, 0.2, 0.3) m still moves at the end: its kinetic"),
     (DRIVEN, "control__drag_at_peak", 0.01, "damping took 1 % of the force at the peak"),
     (with_numbers(DRIVEN, control__accuracy=0.03), "control__drag_at_peak", 0.03, "damping took 3 % of the force at"),
+    (with_numbers(DRIVEN, law_by_group={"beds": "elastic", "heads": "friction"}), "rise_at_end", 0.01, "the force st"),
+    (DRIVEN, "rise_at_end", 0.01, "the force still rose at the end, by 1 % over the last tenth of the drive: the h"),
     (AT_REST, "energy_j__kinetic", 1e-4, "the specimen still moves at the end: its kinetic energy is 1e-06"),
     (
         with_numbers(AT_REST, energy_j__elastic_blocks=0.0, energy_j__elastic_contacts=0.0),
@@ -136,6 +138,7 @@ def test_a_contact_may_take_two_hundredths_more_of_mode_2_than_its_law_has(summa
         (GROWN, {"reaction_mismatch_max": 3.0, "kinetic_over_internal_max": 9.0, "damping_over_external": 0.9}),
         (GROWN, {"collapse_load__swayed_over_block": None}),
         (LED, {"collapse_load__branch__ends": "zero"}),
+        (with_numbers(DRIVEN, law_by_group={"beds": "elastic", "heads": "elastic"}), {"rise_at_end": 0.1}),
     ],
 )
 def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
+from masonry.laboratory.summary.extremes import rise_at_end
 from masonry.laboratory.summary.run_summary import summarise
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
@@ -132,6 +133,26 @@ def test_a_sudden_crack_is_told_from_a_thousandth_of_all_energy_lost_on(released
     assert found["damping_over_external"] == pytest.approx((1.0 - released * 0.011 * told) / 10.0)
     if told:
         assert found["sudden_cracks"][0]["displacement_m"] == 4e-4
+
+
+@pytest.mark.parametrize(
+    ("last", "rise"),
+    [(7.9e5, 0.0), (8e5, 0.2 / 3 / 8.0 * 10), (9e5, 0.3 / 3 / 9.0 * 10), (6e5, 0.0)],
+    ids=["passed", "as high", "higher", "lower"],
+)
+def test_the_force_rose_at_the_end_by_what_its_last_tenth_brought(last, rise):
+    """The last tenth of 1 mm is a third of the last row's way, from 600 kPa on."""
+    assembly = couplet()
+    rows = {key: np.array(values) for key, values in CLOSED.items()}
+    rows["stress"][-1] = last
+    assert rise_at_end(rows, max(8e5, last)) == pytest.approx(rise)
+    assert rise_at_end(rows, 0.0) == 0.0, "a force against the drive has no peak"
+    rows["displacement"] *= -1.0
+    assert rise_at_end(rows, max(8e5, last)) == pytest.approx(rise)
+    rows["displacement"][-2] = 0.0
+    assert rise_at_end(rows, max(8e5, last)) is None, "a drive that turns back"
+    assert rise_at_end(rows | {"displacement": np.zeros(8)}, 8e5) is None
+    assert summary(assembly)["rise_at_end"] == 0.0
 
 
 def test_the_imbalance_is_its_largest_over_the_largest_work():

@@ -1,12 +1,17 @@
 """What the drive met: the peak, the lowest stress, its cycles; and what the gauges read."""
 
+import numpy as np
+
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.scales import Scales
 from masonry.results.summary import Extremes, Readings
 from masonry.rows.columns import TILT
 from masonry.rows.cycles import table
-from masonry.rows.peak import at_peak
+from masonry.rows.peak import at_peak, only_rises, reached
 from masonry.timeloop.recording import Outcome
+
+LAST = 0.1
+"""Of the way of the drive: whether the force still rises is seen there."""
 
 
 def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
@@ -20,10 +25,22 @@ def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
         peak_force_n=outcome.peak_force if driven else None,
         lowest_stress_pa=outcome.lowest_force / section if driven else None,
         displacement_at_lowest_m=outcome.displacement_at_lowest if driven else None,
+        rise_at_end=rise_at_end(rows, outcome.peak_force / section) if driven else None,
         cycles=table(scales.before_fall, outcome.observed["widest"], assembly.scene.loops_over),
         tilt_rad=float(rows[TILT][-1]) if TILT in rows else None,
         gauges=_readings(assembly, outcome, driven),
     )
+
+
+def rise_at_end(rows: dict[str, np.ndarray], peak: float) -> float | None:
+    """By how much the stress rose over the last tenth of the way of the drive, over the peak (Pa); 0 where it has come
+    down from there, None where the drive turns back or never moved."""
+    stress, way = rows["stress"], np.abs(rows["displacement"] - rows["displacement"][0])
+    if not only_rises(way) or way[-1] == 0.0:
+        return None
+    if peak <= 0.0 or stress[-1] < reached(peak):
+        return 0.0
+    return float((stress[-1] - np.interp((1.0 - LAST) * way[-1], way, stress)) / peak)
 
 
 def _readings(assembly: Assembly, outcome: Outcome, driven: bool) -> dict[str, Readings]:
