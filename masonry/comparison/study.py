@@ -9,10 +9,11 @@ from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.judgement.sentence import trust
+from masonry.results.summary import read_summary
 from masonry.runtime.folder import RESULTS, claim_for_many, scene_name, writing
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
-from masonry.runtime.text_files import json_of, text_of
+from masonry.runtime.text_files import text_of
 from masonry.scene import Scene, to_toml
 from masonry.sweep.engine import run_alone
 from masonry.sweep.job import Job
@@ -90,7 +91,7 @@ def _trust(ended: Row, folder: Path) -> str:
     """The sentence that the run's own summary would have, or why there is none."""
     if ended["status"] != OK:
         return str(ended["reason"])
-    return trust(json_of(folder / "runs" / ended["key"] / "summary.json"))
+    return trust(read_summary(folder / "runs" / ended["key"] / "summary.json"))
 
 
 def word_of(row: Row) -> str:

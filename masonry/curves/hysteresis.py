@@ -40,7 +40,7 @@ class Loops(NamedTuple):
 def loops_of(result: "ResultData") -> Loops:
     """The loops of the drive; of a load that goes to and fro, those of its factor over a gauge."""
     rows, grown = result.history.rows, result.summary.collapse_load
-    if grown is not None and grown.loops is not None:
+    if grown is not None and grown.loops is not None and grown.loops.gauge in rows:
         gauge, rest = grown.loops.gauge, before_a_fall(rows, grown.falls)
         factor, x, path = rest[FACTOR], plain(f"{gauge} [mm]"), "way of the load factor, to and fro [1]"
         after = slice(len(factor) - 1, None)
@@ -103,11 +103,11 @@ def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:
     number, base = np.arange(1, len(cycles) + 1), np.zeros(len(cycles))
     for part in PARTS:
         colour = LEDGER[part][1]
-        height = np.array([cycle[f"{part}_j"] for cycle in cycles])
+        height = np.array([cycle.get(f"{part}_j") or 0.0 for cycle in cycles])
         axes.bar(number, height, bottom=base, color=colour)
         base += height
     for k, cycle in enumerate(cycles[:NAMED]):
-        words = f"{cycle['dissipated_j']:.3g}" + ("" if cycle["closed"] else "\nnot closed")
+        words = f"{cycle.get('dissipated_j') or 0.0:.3g}" + ("" if cycle.get("closed") else "\nnot closed")
         axes.annotate(words, (number[k], base[k]), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=9)
     axes.set_ylim(0.0, ROOM * float(base.max()) or 1.0)
     axes.set_xlim(0.5, len(cycles) + 0.5)

@@ -186,7 +186,8 @@ def stress_text(stress: float | None, section: float | None) -> str:
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
     """How many cycles there were, what they dissipated, and what is left of the stiffness; the first few in figures."""
-    dissipated = ", ".join(f"{cycle['dissipated_j']:.3g}" for cycle in cycles[:FEW])
+    losses = [cycle.get("dissipated_j") for cycle in cycles[:FEW]]
+    dissipated = ", ".join("-" if loss is None else f"{loss:.3g}" for loss in losses)
     more = ", ..." if len(cycles) > FEW else ""
     first, last = (cycles[k].get("stiffness_pa_per_m") for k in (0, -1))
     left = f"; stiffness of the last over the first: {last / first:.2g}" if first and last and len(cycles) > 1 else ""
@@ -245,6 +246,8 @@ def factor_text(grown: CollapseLoad, interrupted: bool) -> list[str]:
 def leg_text(loops: LoadLoops) -> str:
     """On which leg of a load that goes to and fro the run ended."""
     history, leg = loops.history, loops.leg
+    if not 0 < leg <= len(history):
+        return ""
     start = history[leg - 2] if leg > 1 else 0.0
     return f" on leg {leg} of {len(history)}, from {start:g} to {history[leg - 1]:g}"
 
@@ -275,15 +278,16 @@ def loads_text(summary: Summary) -> str:
 def accuracy_text(summary: Summary) -> str:
     """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
     control = summary.control or {}
-    wanted = f"{100 * control['accuracy']:g} % asked for"
+    wanted = f"{_share(control.get('accuracy'), 6)} asked for"
     damping = damping_words(summary.damping_over_external)
     if not any((summary.energy_j or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
         moved = summary.joints_opened_or_slid
         what = f"{moved} joint{'s'[: moved > 1]} opened or slid; " if moved else "no contact was damaged; "
         return f"{wanted}; {'' if moved is None else what}{damping}"
+    mean, largest = (_share(control.get(key)) for key in ("mean_lag", "largest_lag"))
     return (
-        f"{wanted}; after the first damage the specimen lagged behind the drive, by {percent(control['mean_lag'])} of "
-        f"the work on average, {percent(control['largest_lag'])} at most; {damping}"
+        f"{wanted}; after the first damage the specimen lagged behind the drive, by {mean} of the work on average, "
+        f"{largest} at most; {damping}"
     )
 
 

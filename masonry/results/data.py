@@ -1,5 +1,6 @@
 """The result of a run as data: its summary, history and specimen."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
@@ -111,9 +112,11 @@ class ResultData:
     @property
     def peak(self) -> Peak:
         """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of rows, before
-        a block had fallen."""
+        a block had fallen; nan where nothing is driven."""
+        if not self.has_drive:
+            return Peak(math.nan, math.nan)
         at, stress = self.summary.displacement_at_peak_m, self.summary.peak_stress_pa
-        if isinstance(at, float) and isinstance(stress, float):
+        if at is not None and stress is not None:
             return Peak(at, stress)
         rows = self.standing_rows
         row = peak_row(rows)
@@ -127,8 +130,9 @@ class ResultData:
 
     @property
     def energies(self) -> dict[str, float]:
-        """The energy ledger at the end, J: external work, what is stored, what was dissipated and how."""
-        return dict(self.summary.energy_j or {})
+        """The energy ledger at the end, J: external work, what is stored, what was dissipated and how; nan where a
+        number is not known."""
+        return {key: math.nan if value is None else value for key, value in (self.summary.energy_j or {}).items()}
 
     @property
     def verdict(self) -> str:

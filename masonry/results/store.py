@@ -12,8 +12,8 @@ from masonry.errors import SceneError
 from masonry.results import archive, fields, joint_fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
+from masonry.results.summary import read_summary
 from masonry.results.table import csv_text
-from masonry.runtime.text_files import json_of
 
 NUMBERS = ("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log")
 """Files of numbers and words."""
@@ -54,11 +54,7 @@ def read(folder: Path | str) -> dict[str, Any]:
             raise SceneError(f"the run in '{folder}' is not finished; continue it: masonry resume {folder}")
         if not (folder / name).is_file():
             raise SceneError(f"'{folder}' has no {name}; it is not a folder of results, or its run did not finish")
-    summary = json_of(folder / "summary.json")
-    if not isinstance(summary, dict):
-        raise SceneError(
-            f"'{folder / 'summary.json'}' is damaged (not a table of keys and values); run the scene again"
-        )
+    summary = read_summary(folder / "summary.json")
     try:
         return {"summary": summary, **archive.read(folder / "history.h5")}
     except (OSError, RuntimeError, KeyError, TypeError, ValueError, AttributeError, IndexError, OverflowError) as error:

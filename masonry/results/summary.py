@@ -4,11 +4,18 @@ Each part is made by a file of masonry/laboratory/summary/. None is what was not
 does not apply to it, and what an older version did not write.
 """
 
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any, TypedDict
 
+from masonry.errors import SceneError
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record, list_of, one_of, table_of
+from masonry.runtime.text_files import json_of
+
+Numbers = Mapping[str, float | None]
+"""Numbers by name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +44,7 @@ class Course(Record):
     are of all threads, the others by the clock on the wall."""
 
     steps: int | None = None
-    control: dict[str, Any] | None = None
+    control: Numbers | None = None
     seconds_run: float | None = None
     seconds_compile: float | None = None
     seconds_processor_run: float | None = None
@@ -75,16 +82,24 @@ class Extremes(Record):
     lowest_stress_pa: float | None = None
     displacement_at_lowest_m: float | None = None
     rise_at_end: float | None = None
-    cycles: list[dict[str, Any]] | None = None
+    cycles: list[dict[str, bool | float | None]] | None = None
     tilt_rad: float | None = None
     gauges: dict[str, Readings] | None = table_of(Readings)
 
 
+class Reaction(TypedDict, total=False):
+    """What a support, the drive or a load exerts, and on what."""
+
+    on: str
+    force_n: list[float | None]
+    moment_nm: list[float | None]
+
+
 @dataclass(frozen=True, eq=False)
 class Forces(Record):
-    """Supports, drive and dead loads, and how far their forces balance."""
+    """Supports, drive and dead loads, at the peak and at the end, and how far their forces balance."""
 
-    reactions: dict[str, Any] | None = None
+    reactions: dict[str, dict[str, float | Reaction]] | None = None
     force_balance: float | None = None
     motion_at_end: float | None = None
     reaction_mismatch_max: float | None = None
@@ -96,9 +111,9 @@ class Energies(Record):
 
     work_of_drive_j: float | None = None
     work_of_force_j: float | None = None
-    work_of_loads_j: dict[str, float] | None = None
-    work_of_loads_after_settling_j: dict[str, float] | None = None
-    energy_j: dict[str, Any] | None = None
+    work_of_loads_j: Numbers | None = None
+    work_of_loads_after_settling_j: Numbers | None = None
+    energy_j: Numbers | None = None
     energy_imbalance: float | None = None
     dissipation_mismatch: float | None = None
     kinetic_over_internal_max: float | None = None
@@ -251,3 +266,16 @@ class Summary(Trust, Movements, Damage, Rest, Energies, Forces, Extremes, Course
 
 def _duration(seconds: float | None) -> str:
     return "not known" if seconds is None else duration(seconds)
+
+
+JUDGED = frozenset(entry.name for entry in fields(Trust))
+"""Keys of the judgement: one that cannot be read is made again from the other keys."""
+
+
+def read_summary(path: Path) -> dict[str, Any]:
+    """The keys of summary.json. Raises SceneError where it is damaged: a value of another type than it should have."""
+    table = json_of(path)
+    if not isinstance(table, dict):
+        raise SceneError(f"'{path}' is damaged (not a table of keys and values); run the scene again")
+    Summary.require({key: value for key, value in table.items() if key not in JUDGED}, f"'{path}'")
+    return table

@@ -9,6 +9,7 @@ from typing import Any
 from geometry.files.atomic import WholeFiles, unfinished
 from masonry.errors import SceneError
 from masonry.judgement.judgement import judgement_of
+from masonry.results.summary import read_summary
 from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.text_files import json_of
 from masonry.sweep.work import OK, STATUSES, RunEnd
@@ -33,7 +34,8 @@ class Store:
         """The row of a run that ended; None if there is none."""
         folder = self.runs / key
         try:
-            failure, numbers = _read(folder / "failure.json"), _read(folder / "summary.json")
+            failure = _failure(folder / "failure.json")
+            numbers = read_summary(folder / "summary.json") if (folder / "summary.json").is_file() else None
         except (OSError, SceneError):
             return None
         if failure is None and (numbers is None or not (folder / "history.h5").is_file()):
@@ -79,7 +81,7 @@ def _judged(summary: dict[str, Any]) -> Row:
     }
 
 
-def _read(path: Path) -> dict[str, Any] | None:
+def _failure(path: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
     content = json_of(path)

@@ -9,7 +9,8 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.judgement.doubt import VERDICTS
+from masonry.judgement.catalogue import criteria
+from masonry.judgement.doubt import STOPPED, VERDICTS
 from masonry.sweep.planned_runs import Planned
 from masonry.sweep.points import si
 from masonry.sweep.run_store import Row
@@ -64,12 +65,16 @@ def table_of(planned: Sequence[Planned], rows: Sequence[Row]) -> dict[str, list[
 
 
 def verdicts_text(rows: Sequence[Row]) -> str:
-    """How many runs have which verdict, and the doubt that most of them have; "" where none has a verdict."""
+    """How many runs have which verdict, the doubt that most of them have, and why one was stopped; "" where none has a
+    verdict."""
     verdicts = Counter(row.get("verdict") for row in rows)
     words = [f"{verdicts[verdict]} {verdict}" for verdict in VERDICTS if verdicts[verdict]]
     doubts = Counter(name for row in rows if row.get("doubts") for name in row["doubts"].split(", "))
+    doubts -= Counter({criterion.name: len(rows) for criterion in criteria() if criterion.verdict == STOPPED})
     most = [f"most frequent doubt: {name} ({count} of {len(rows)} runs)" for name, count in doubts.most_common(1)]
-    return "; ".join([", ".join(words), *most] if words else most)
+    reasons = Counter(row["reason"] for row in rows if row.get("verdict") == STOPPED and row.get("reason"))
+    why = [f"stopped, for one: {reason}" for reason, _ in reasons.most_common(1)]
+    return "; ".join(filter(None, [", ".join(words), *most, *why]))
 
 
 def write_table(folder: Path, columns: dict[str, list[Any]]) -> tuple[str, ...]:

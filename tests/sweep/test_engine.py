@@ -152,3 +152,12 @@ def test_verdicts_are_counted_with_the_most_frequent_doubt_and_old_rows_have_non
     assert verdicts_text(rows) == "1 sound, 1 with care, 1 stopped; most frequent doubt: slip (2 of 4 runs)"
     assert verdicts_text([{"verdict": "sound", "doubts": ""}]) == "1 sound"
     assert verdicts_text([{}, {}]) == ""
+
+
+def test_of_runs_that_were_stopped_it_is_told_why_and_not_that_they_were():
+    stopped = {"verdict": "stopped", "doubts": "stopped", "reason": "step 9: a block has slid"}
+    assert verdicts_text([stopped] * 2) == "2 stopped; stopped, for one: step 9: a block has slid"
+    others = [stopped | {"doubts": "stopped, slip"}, {"verdict": "with care", "doubts": "interrupted, overlap, slip"}]
+    assert verdicts_text([stopped, *others]) == (
+        "1 with care, 2 stopped; most frequent doubt: slip (2 of 3 runs); stopped, for one: step 9: a block has slid"
+    )

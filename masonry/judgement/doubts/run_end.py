@@ -1,6 +1,13 @@
 """Did the run come to its end? One that was interrupted, or that the program stopped, is only its first part."""
 
 from masonry.judgement.doubt import STOPPED, Criterion
+from masonry.judgement.evidence import Evidence
+
+
+def why_it_stopped(evidence: Evidence, _: float) -> str:
+    """With the reason, which says what to change where something helps."""
+    return f"the run was stopped, so this is only its first part: {evidence.summary['stopped']}".removesuffix(".")
+
 
 INTERRUPTED = Criterion(
     name="interrupted",
@@ -12,7 +19,6 @@ INTERRUPTED = Criterion(
 STOPPED_EARLY = Criterion(
     name="stopped",
     measure=lambda evidence: bool(evidence.summary.get("stopped")),
-    sentence="the run was stopped, so this is only its first part",
-    advice="the key `stopped` of summary.json says why",
+    sentence=why_it_stopped,
     verdict=STOPPED,
 )
