@@ -17,6 +17,9 @@ from masonry.rows.rest_criterion import ENDED
 
 LONGEST_CHUNK = 100
 """Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
+A_LITTLE_MORE = 1.5
+"""Times as many that a chunk may have which ends at a row, where no sudden crack is looked for: a few steps besides are
+not worth a chunk of their own."""
 
 
 @dataclass(frozen=True)
@@ -113,13 +116,20 @@ class ScheduledLoading(Loading):
         if self.watch is not None and self.watch.pause:
             return self.hold(self.watch.steps)
         due = self.row_due()
-        first, latest = self.done, self.done + LONGEST_CHUNK if self.loads is None else self.loads.latest(self.done)
+        first, latest = self.done, self.latest(due)
         self.done = min(due, latest)
         part = slice(first, self.done + 1)
         dead_load = self.program.dead_load[part]
         if self.loads is not None:
             dead_load = self.loads.apply(first, self.done, dead_load)
         return self.going_on(Chunk(dead_load, self.program.speed[part], self.done == due))
+
+    def latest(self, due: int) -> int:
+        """The step at which the next chunk ends at the latest, where a row is due."""
+        if self.loads is not None:
+            return self.loads.latest(self.done)
+        few = self.watch is None and due - self.done <= A_LITTLE_MORE * LONGEST_CHUNK
+        return due if few else self.done + LONGEST_CHUNK
 
     def hold(self, steps: int) -> Chunk:
         """Some steps in which the drive rests, and the dead loads stay; the move that was due next is still made."""

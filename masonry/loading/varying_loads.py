@@ -53,6 +53,7 @@ class SharedLoads:
                 each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
                 at_once, vary = np.array(each[:stay]), np.array(each[stay:])
                 self.parts.append((body, body.load + at_once.sum(axis=0), vary))
+        self.passed = np.zeros(0)
 
     def rest_over_each(self) -> float:
         """Sum of the forces of the loads that stay over that of the greatest that varies; or, where that is less,
@@ -72,10 +73,14 @@ class SharedLoads:
     def pass_over(self, begin: np.ndarray, end: np.ndarray, steps: int) -> np.ndarray:
         """Set the loads of the bodies for so many steps from factors (H,) to others; returns (steps + 1,) what they add
         to the factors of the dead load."""
+        factors = np.stack([begin, end - begin])[:, None]
         for body, rest, each in self.parts:
-            body.load[...] = rest + np.tensordot(begin, each, 1)
-            body.change[...] = np.tensordot(end - begin, each, 1)
-        return np.linspace(0.0, 1.0, steps + 1)
+            load, change = factors @ each.reshape(len(each), -1)
+            body.load[...] = rest + load.reshape(rest.shape)
+            body.change[...] = change.reshape(rest.shape)
+        if len(self.passed) != steps + 1:
+            self.passed = np.linspace(0.0, 1.0, steps + 1)
+        return self.passed
 
 
 class VaryingLoads(SharedLoads):

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from geometry.jit_cache import compiled
 from geometry.joints.extents import joint_extents
 from masonry.errors import Stopped
 from masonry.model.model import Model
@@ -41,27 +42,36 @@ class Slide(Observer):
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise Stopped if a contact slid by more than the limit."""
-        opening, slip, sigma, tau = view.seen
-        which = np.flatnonzero(slip > self.largest * self.sticking)
-        near = (tau[which] > 0.0) & ((opening[which] < APART * self.least[which]) | self.glued[which])
-        which = which[(sigma[which] < 0.0) | near]
-        if len(which):
-            self._measure(model, step, which, slip)
-        return {"slip": self.largest}
-
-    def _measure(self, model: Model, step: int, which: np.ndarray, slip: np.ndarray) -> None:
-        """How far these contacts, which touch, have slid along their joints."""
-        (one, two), u = model.contacts.sides[which].T, model.contacts.u
-        fraction = np.abs(np.einsum("ckj,cj->ck", self.axes[which], u[two] - u[one])) / self.extent[which]
-        highest = int(np.argmax(fraction.max(axis=1)))
-        worst, reached = int(which[highest]), float(fraction[highest].max())
+        joint = self.sticking, self.least, self.glued, self.axes, self.extent
+        reached, worst = farthest(tuple(view.seen), self.largest, joint, model.contacts.sides, model.contacts.u)
         self.largest = max(self.largest, reached)
         if reached > self.limit:
             raise Stopped(
-                f"step {step}: {model.contact(worst)} has slid by {slip[worst]:.3g} m, {reached:.3g} of the "
+                f"step {step}: {model.contact(worst)} has slid by {view.seen.slip[worst]:.3g} m, {reached:.3g} of the "
                 f"extent of its joint, more than solver.slip_limit = {self.limit:g}; contacts keep the place and the "
                 "area that they begin with"
             )
+        return {"slip": self.largest}
+
+
+@compiled
+def farthest(seen, largest, joint, sides, u):
+    """The largest slip of a contact that touches, along its joint and over the extent of that, of those that may have
+    slid further than `largest`; and which it is, -1 where there is none. The rest as in Seen, Slide and Contacts."""
+    opening, slip, sigma, tau = seen
+    sticking, least, glued, axes, extent = joint
+    reached, worst = 0.0, -1
+    for c in range(len(slip)):
+        if not slip[c] > largest * sticking[c]:
+            continue
+        if sigma[c] < 0.0 or (tau[c] > 0.0 and (opening[c] < APART * least[c] or glued[c])):
+            one, two = sides[c, 0], sides[c, 1]
+            x, y, z = u[two, 0] - u[one, 0], u[two, 1] - u[one, 1], u[two, 2] - u[one, 2]
+            for k in range(2):
+                along = abs(axes[c, k, 0] * x + axes[c, k, 1] * y + axes[c, k, 2] * z) / extent[c, k]
+                if along > reached or worst < 0:
+                    reached, worst = along, c
+    return reached, worst
 
 
 def is_roller(joint: Any) -> bool:

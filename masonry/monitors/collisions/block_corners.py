@@ -22,7 +22,6 @@ class Corners:
         self.nearest = self.frames.nearest
         start = blocks.face_start[blocks.block_face_start]
         self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
-        self.members = {k: slice(None) if len(of) == blocks.count else of for k, of in model.layout.members.items()}
         self.place = blocks.points[self.points]
         self.arm = self.place - model.layout.centroid[:, None]
 
@@ -48,16 +47,24 @@ class Corners:
         shift, gradient = np.zeros((count, 3)), np.zeros((count, 3, 3))
         rigid, affine, _ = self.model.bodies
         if rigid is not None:
-            which = self.members["rigid"]
-            shift[which] = rigid.q[:, :3]
-            x, y, z = np.einsum("bij,bj->ib", layout.axes[which], rigid.q[:, 3:])
-            for i, j, rotation in ((1, 0, z), (2, 1, x), (0, 2, y)):
-                gradient[which, i, j], gradient[which, j, i] = rotation, -rotation
+            write_motion(rigid.q, layout.axes, layout.members["rigid"], shift, gradient)
         if affine is not None:
-            which = self.members["affine"]
+            which = layout.members["affine"]
             shift[which] = affine.q[:, :3]
             gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
         return shift, gradient
+
+
+@compiled
+def write_motion(q, axes, which, shift, gradient):
+    """Write the shift (B, 3) m and gradient (B, 3, 3) of rigid blocks (b,); their dofs q (b, 6), all axes (B, 3, 3)."""
+    for k in range(len(which)):
+        b, one, two, three = which[k], q[k, 3], q[k, 4], q[k, 5]
+        for i in range(3):
+            shift[b, i] = q[k, i]
+            rotation = axes[b, i, 0] * one + axes[b, i, 1] * two + axes[b, i, 2] * three
+            j = (i + 1) % 3
+            gradient[b, (j + 1) % 3, j], gradient[b, j, (j + 1) % 3] = rotation, -rotation
 
 
 @compiled
