@@ -65,6 +65,12 @@ def test_a_brittle_section_bears_its_elastic_moment_and_two_rows_of_points_what_
     assert bears([-arm, arm], law) == pytest.approx(times * elastic, rel=0.02)
 
 
+def test_a_section_of_more_fibres_than_turns_bears_what_one_of_few_does():
+    law = envelope(Exponential(10.0, 30.0), JOINT, 1e-3)
+    few, many = (bears(list(np.linspace(-0.5 * EDGE, 0.5 * EDGE, n)), law) for n in (40, 900))
+    assert many == pytest.approx(few, rel=0.06)
+
+
 def test_a_tough_section_and_one_that_is_pressed_turn_about_their_edge():
     tough, brittle = envelope(Exponential(1e5, 1e5), JOINT, 1e-2), envelope(Brittle(), JOINT, 1e-2)
     many = spread(CORNERS, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))

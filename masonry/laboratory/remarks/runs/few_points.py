@@ -16,7 +16,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.joint_faces import MOST, Faces, Look, corners_of, is_glued, law_of
-from masonry.laboratory.remarks.joint_sections import Envelope, envelope, of_points, spread, strength
+from masonry.laboratory.remarks.joint_sections import Envelope, depth_of, envelope, of_points, spread, strength
 
 LITTLE, FIRST = 1e-4, 10
 """Share of the work below which no joint is looked at; those with the largest shares for which other numbers of points
@@ -113,12 +113,13 @@ def _bent(
         return None
     normal, middle = faces.normal[face], faces.middle[face]
     along = now.turn[face] / length
-    many = spread(corners_of(assembly.joints, faces.patch[face]), along, np.cross(normal, along), middle)
+    corners = corners_of(assembly.joints, faces.patch[face])
     parameters, joint = law_of(assembly, faces, face)
     limit = float(joint.tensile_strength or 0.0)
     force, moment = float(now.force[face]), abs(float(now.moment[face] @ along))
-    if not torn and moment < faces.area[face] * many.depth / 6.0 * (limit - force / faces.area[face]):
+    if not torn and moment < depth_of(corners @ along) / 6.0 * (limit * faces.area[face] - force):
         return None
+    many = spread(corners, along, np.cross(normal, along), middle)
     if not torn:
         turn = max(turn, FURTHER * limit / (faces.stiffness[face] * many.depth))
     law = envelope(parameters, joint, 2.0 * turn * many.depth)
