@@ -3,6 +3,7 @@
 import time
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -14,6 +15,10 @@ from geometry.cells.plane_measures import loops_in_metres, report
 
 SETTLED = 0.01
 """Energy below which nothing is worth another attempt: no edge or segment lacks more than a tenth of its threshold."""
+LATEST = 16
+"""Divisions that a process remembers: runs of one specimen, as in a sweep, ask for the same one again."""
+Division = tuple[list[np.ndarray], CellReport]
+_divisions: dict[tuple[Any, ...], Division] = {}
 
 
 def divide_plane(
@@ -23,7 +28,7 @@ def divide_plane(
     sites: Sequence[np.ndarray],
     laguerre: bool = True,
     regular: bool = True,
-) -> tuple[list[np.ndarray], CellReport]:
+) -> Division:
     """Corners (k, 2) m of every cell, counter-clockwise, polygon by polygon, and what the division came to.
 
     polygons   (k, 2) m each, convex and counter-clockwise; where two lie on one line they meet in a joint
@@ -31,8 +36,27 @@ def divide_plane(
     sites      (n, 2) m, one set of seeds for each attempt; later ones are tried where an earlier one gets stuck
     laguerre   hold the targets by weights; False: a Voronoi division, whose sizes fall out as they may
     regular    lengthen short edges and short joint segments
-    Raises GeometryError where a site is left without a cell.
+    Raises GeometryError where a site is left without a cell. Of the LATEST divisions none is made twice.
     """
+    arrays = [*polygons, counts, target, *sites]
+    numbers = tuple((np.shape(array), np.asarray(array).tobytes()) for array in arrays)
+    key = (numbers, len(polygons), laguerre, regular)
+    if key not in _divisions:
+        _divisions[key] = _divided(polygons, counts, target, sites, laguerre, regular)
+        if len(_divisions) > LATEST:
+            _divisions.pop(next(iter(_divisions)))
+    loops, outcome = _divisions[key]
+    return [loop.copy() for loop in loops], outcome
+
+
+def _divided(
+    polygons: Sequence[np.ndarray],
+    counts: np.ndarray,
+    target: np.ndarray,
+    sites: Sequence[np.ndarray],
+    laguerre: bool,
+    regular: bool,
+) -> Division:
     begin = time.perf_counter()
     h = float(np.sqrt(target.sum() / len(target)))
     domains = plane_domains(polygons, counts, h)

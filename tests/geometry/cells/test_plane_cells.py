@@ -184,6 +184,11 @@ def test_polygons_that_are_no_boxes_are_divided_with_their_joints():
     assert report.shortest_joint > 0.2 and report.small_edges == 0.0
     cross = [np.cross(np.insert(p, 2, 0, 1), np.insert(np.roll(p, -1, axis=0), 2, 0, 1))[:, 2].sum() / 2 for p in loops]
     np.testing.assert_allclose(cross, target, rtol=1e-9)
+    loops[0][:] = 0.0  # what is remembered stays as it was, and is not made again
+    again, same = divide_plane(polygons, counts, target, sites)
+    assert same is report and abs(again[0]).max() > 0.0
+    turned, other = divide_plane(polygons[::-1], counts, target, [sites[0][::-1]])
+    assert other is not report and not np.array_equal(turned[0], again[0])
 
 
 def test_the_same_seed_gives_the_same_bits_in_another_process():
