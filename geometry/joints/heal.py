@@ -162,23 +162,41 @@ def _corners_moved(
 ) -> tuple[Blocks, bool]:
     """Corners of moving faces at the least-squares meeting point of the planes of their faces, as near as can be; and
     whether all planes meet there."""
-    points, met = blocks.points[blocks.face_points].copy(), True
+    points, owner = blocks.points[blocks.face_points].copy(), blocks.face_block()
     face_of = np.repeat(np.arange(len(plane)), np.diff(blocks.face_start))
-    for b in np.unique(blocks.face_block()[moving]).tolist():
-        begin, end = (blocks.face_start[blocks.block_face_start[k]] for k in (b, b + 1))
-        vertex = weld(points[begin:end], width)[1]
-        for v in np.unique(vertex[moving[face_of[begin:end]]]):
-            here = begin + np.flatnonzero(vertex == v)
-            faces = face_of[here][np.unique(plane[face_of[here]], return_index=True)[1]]
-            old = points[here[0]]
-            lacking = offset[faces] - axis[faces] @ old
-            step = np.linalg.pinv(axis[faces], rcond=1e-3) @ lacking
-            missed = np.abs(axis[faces] @ step - lacking).max()
-            if np.linalg.norm(step) > farthest or missed > farthest:
-                raise _no_corner(names[b], len(faces), old)
-            met &= missed <= width
-            points[here] = old + step
-    return replace(blocks, points=points, face_points=np.arange(len(points))), bool(met)
+    mine = np.flatnonzero(np.isin(owner, owner[moving])[face_of])
+    first, vertex = _vertices(points[mine], owner[face_of[mine]], width)
+    moves = np.zeros(len(first), dtype=bool)
+    moves[vertex[moving[face_of[mine]]]] = True
+    pair, corner = np.unique(vertex * len(plane) + plane[face_of[mine]], return_index=True)
+    corner = corner[moves[pair // len(plane)]]
+    faces, of = face_of[mine[corner]], vertex[corner]
+    start = np.flatnonzero(np.diff(of, prepend=-1))
+    count = np.diff(np.append(start, len(of)))
+    old = points[mine[first]]
+    lacking = offset[faces] - np.einsum("ni,ni->n", axis[faces], old[of])
+    step, missed = np.zeros_like(old), np.zeros(len(old))
+    for n in np.unique(count):
+        rows = start[count == n][:, None] + np.arange(n)
+        inverse = np.linalg.pinv(axis[faces[rows]], rcond=1e-3)
+        step[of[rows[:, 0]]] = moves_by = np.einsum("nij,nj->ni", inverse, lacking[rows])
+        missed[of[rows[:, 0]]] = np.abs(np.einsum("nji,ni->nj", axis[faces[rows]], moves_by) - lacking[rows]).max(
+            axis=1
+        )
+    lost = (np.linalg.norm(step, axis=1) > farthest) | (missed > farthest)
+    if lost.any():
+        v = int(np.argmax(lost))
+        raise _no_corner(names[owner[face_of[mine[first[v]]]]], int(np.sum(of == v)), old[v])
+    there = moves[vertex]
+    points[mine[there]] = (old + step)[vertex[there]]
+    return replace(blocks, points=points, face_points=np.arange(len(points))), bool(missed.max() <= width)
+
+
+def _vertices(points: np.ndarray, block: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (N, 3) of blocks (N,) that lie together within a width are one vertex of their block: the first corner of
+    each vertex (V,), and the vertex (N,) of each corner, in their order."""
+    apart = block[:, None] * max(1.0, 1e3 * width)
+    return weld(np.concatenate([points, apart], axis=1), width)
 
 
 def _met(
@@ -187,11 +205,8 @@ def _met(
     """Blocks with a corner of more than three faces that fails to lie in all of them: corners and planes (F,) move
     until they agree. Each face corner of the blocks is a point of its own."""
     corners = np.diff(blocks.face_start[blocks.block_face_start])
-    parts = np.split(before.points[before.face_points], np.cumsum(corners)[:-1])
-    welded = [weld(part, width) for part in parts]
-    first = np.cumsum([0, *(len(kept) for kept, _ in welded)])
-    vertex = np.concatenate([number + n for (_, number), n in zip(welded, first, strict=False)])
-    place = np.zeros((first[-1], 3))
+    first, vertex = _vertices(before.points[before.face_points], np.repeat(np.arange(blocks.count), corners), width)
+    place = np.zeros((len(first), 3))
     place[vertex] = blocks.points
     pair = np.unique(np.stack([vertex, np.repeat(plane, np.diff(blocks.face_start))]), axis=1)
     number = np.unique(pair[1], return_inverse=True)[1].reshape(-1)

@@ -5,6 +5,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from geometry.polyhedra.convexity import convex_pieces, reflex
+from geometry.polyhedra.indexing import following
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 FLAT = 2e-10
@@ -78,19 +79,22 @@ def _outline(triangle: np.ndarray) -> np.ndarray | None:
 
 def _convex(points: np.ndarray, loops: list[np.ndarray | None], size: float) -> list[np.ndarray | None]:
     """The loops without corners on straight edges; None for those that are not flat and convex."""
-    loops = [None if loop is None else _corners(points, loop, size) for loop in loops]
+    loops = _corners(points, loops, size)
     which = [i for i, loop in enumerate(loops) if loop is not None]
     if not which:
         return loops
-    chosen = [loop for loop in loops if loop is not None]
-    start = np.concatenate([[0], np.cumsum([len(loop) for loop in chosen])])
-    polygon, count = pad(points, start, np.concatenate(chosen))
+    polygon, count = _padded(points, [loop for loop in loops if loop is not None])
     _, normal, centroid = areas_normals_centroids(polygon)
     height = np.abs(np.einsum("nki,ni->nk", polygon - centroid[:, None], normal)).max(axis=1)
     refused = reflex(polygon, count) | (height > FLAT * size)
     for i in np.flatnonzero(refused):
         loops[which[i]] = None
     return loops
+
+
+def _padded(points: np.ndarray, loops: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    start = np.concatenate([[0], np.cumsum([len(loop) for loop in loops])])
+    return pad(points, start, np.concatenate(loops))
 
 
 def _pieces(points: np.ndarray, triangle: np.ndarray, size: float) -> list[np.ndarray]:
@@ -101,11 +105,23 @@ def _pieces(points: np.ndarray, triangle: np.ndarray, size: float) -> list[np.nd
     return flat if len(flat) == len(loops) else list(triangle)
 
 
-def _corners(points: np.ndarray, loop: np.ndarray, size: float) -> np.ndarray | None:
-    place = points[loop]
-    before, after = np.roll(place, 1, axis=0), np.roll(place, -1, axis=0)
-    chord = after - before
+def _corners(points: np.ndarray, loops: list[np.ndarray | None], size: float) -> list[np.ndarray | None]:
+    """The loops without corners on straight edges; None for those with fewer than three others."""
+    which = [i for i, loop in enumerate(loops) if loop is not None]
+    chosen = [loop for loop in loops if loop is not None]
+    if not which:
+        return loops
+    ring, last = np.concatenate(chosen), np.cumsum([len(loop) for loop in chosen])
+    after = following(np.append(0, last))
+    before = np.empty_like(after)
+    before[after] = np.arange(len(after))
+    place = points[ring]
+    chord = place[after] - place[before]
     length = np.linalg.norm(chord, axis=1)
-    height = np.linalg.norm(np.cross(chord, place - before), axis=1) / np.where(length > 0, length, 1.0)
-    corners = loop[height > STRAIGHT * size]
-    return corners if len(corners) >= 3 else None
+    height = np.linalg.norm(np.cross(chord, place - place[before]), axis=1) / np.where(length > 0, length, 1.0)
+    corner = height > STRAIGHT * size
+    result: list[np.ndarray | None] = [None] * len(loops)
+    for i, loop, bends in zip(which, chosen, np.split(corner, last[:-1]), strict=True):
+        if np.count_nonzero(bends) >= 3:
+            result[i] = loop[bends]
+    return result

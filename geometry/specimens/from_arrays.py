@@ -47,21 +47,29 @@ def polyhedra(
     """
     if not len(solids):
         raise GeometryError("there are no blocks")
-    return from_shells([_shell(*solid, name, flat) for solid, name in zip(solids, names, strict=True)], unit, group)
+    mesh = joined([_shell(*solid, name, flat) for solid, name in zip(solids, names, strict=True)])
+    return from_mesh(flattened(mesh, np.full(len(solids), flat)) if flat > 0 else mesh, unit, group)
 
 
-def from_shells(shells: Sequence[Shell], unit: Sequence[int], group: Sequence[str]) -> Blocks:
+def joined(shells: Sequence[Shell]) -> Mesh:
+    """The surfaces of all bodies in their order, faces numbered one body after the other."""
+    points, count = ([len(part) for part in parts] for parts in zip(*((s.points, s.face) for s in shells), strict=True))
+    body = np.repeat(np.arange(len(shells)), count)
+    first, before = np.cumsum(points) - points, np.cumsum(count) - count
+    return Mesh(
+        np.concatenate([shell.points for shell in shells]),
+        np.concatenate([shell.triangle for shell in shells]) + first[body][:, None],
+        np.concatenate([shell.face for shell in shells]) + before[body],
+        body,
+    )
+
+
+def from_mesh(mesh: Mesh, unit: Sequence[int], group: Sequence[str]) -> Blocks:
     """One block for each closed body, of the unit and the group (B,) by name."""
-    start = np.cumsum([0, *(len(shell.points) for shell in shells)])
-    points = np.concatenate([shell.points for shell in shells])
-    triangle = np.concatenate([shell.triangle + first for shell, first in zip(shells, start, strict=False)])
-    owner = np.repeat(np.arange(len(shells)), [len(shell.triangle) for shell in shells])
-    before = np.cumsum([0, *(len(shell.triangle) for shell in shells)])
-    face = np.concatenate([shell.face + first for shell, first in zip(shells, before, strict=False)])
-    loops, block = merged_faces(points, triangle, owner, face)
-    faces: list[list[np.ndarray]] = [[] for _ in shells]
-    for loop, b in zip(loops, block, strict=True):
-        faces[b].append(points[loop])
+    loops, block = merged_faces(mesh.points, mesh.triangle, mesh.body, mesh.face)
+    faces: list[list[np.ndarray]] = [[] for _ in unit]
+    for loop, b in zip(loops, block.tolist(), strict=True):
+        faces[b].append(mesh.points[loop])
     groups = tuple(dict.fromkeys(group))
     return from_faces(faces, unit, [groups.index(name) for name in group], groups)
 
@@ -82,8 +90,6 @@ def _shell(vertices: Any, faces: Any, name: str, flat: float) -> Shell:
     triangle = outward(points, np.concatenate(parts), name)
     _require_one_body(triangle, name)
     face = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-    if flat > 0:
-        points, face = flattened(Mesh(points, triangle, face), flat)
     return Shell(points, triangle, face)
 
 

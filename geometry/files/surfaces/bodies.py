@@ -1,201 +1,76 @@
-"""One surface of a file taken apart into closed bodies: doubled faces left out, bent ones cut, all turned outwards."""
+"""Closed bodies of surfaces: bent faces cut, all turned outwards, what is flat but for noise made flat."""
 
-from collections import Counter
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from geometry.blocks import GeometryError
 from geometry.files.surfaces.bent_faces import bent_triangles, height_of
+from geometry.files.surfaces.closed import closed_parts
+from geometry.files.surfaces.closing import Changes, ClosedBody, Loops, parts_of, place_words
 from geometry.files.surfaces.crossings import crossing
+from geometry.files.surfaces.flat_convex import DEEP, flat_convex
 from geometry.files.surfaces.surface import Surface
-from geometry.files.surfaces.t_junctions import with_corners_on_edges
 from geometry.polyhedra.convexity import triangles
 from geometry.polyhedra.flat.flatten import flattened
 from geometry.polyhedra.flat.regions import BENT, Mesh
 from geometry.polyhedra.polygons import areas_normals_centroids
 from geometry.polyhedra.shells import outward
 from geometry.polyhedra.validate import FLAT
-from geometry.polyhedra.weld import weld
-from geometry.specimens.from_arrays import Shell
+from geometry.specimens.from_arrays import Shell, joined
 
-SAME = 1e-6
-"""Of the longest side of a surface: corners that lie closer together are one."""
-ROUNDING = 2.0**-22
-"""Of the largest coordinate: what single precision, or a number of seven digits, may be off."""
-DEEP = 1e-7
-"""Of the longest side: a surface that goes through itself by less does not."""
+MOST = 20_000
+"""Bodies of a file or a folder."""
 TRIANGLE = np.array([[0, 1, 2]])
-Loops = list[np.ndarray]
 
 
-@dataclass
-class Changes:
-    """What was changed on the way, added up over all surfaces; lengths in the unit of the file.
+def bodies_of(
+    surfaces: Sequence[tuple[str, Surface]], file: str, changes: Changes, holes: float = 0.0, flat: float = 0.0
+) -> tuple[Mesh, list[int]]:
+    """The closed bodies of all surfaces, in the unit of the file, and how many each surface has.
 
-    doubled       faces left out because they are there twice
-    collapsed     faces left out because their corners are fewer than three
-    bent          faces that are not flat, of `faces`; `highest`: how far a corner stands off the mean plane of its face
-    holes         holes that were closed, the widest `widest` wide
-    junctions     corners that lay on an edge of a neighbour and were put into it
-    turned        bodies with faces that looked inwards, which were turned
-    moved         how far a corner moved so that faces which are flat but for noise are flat
-    volume        of all bodies, and `other_volume` if each bent face were a fan of triangles round its middle
+    surfaces  with what a message calls each
+    holes     how wide a hole may be that is closed
+    flat      how far the corners of a face may stand off a plane that is made flat; more where numbers are large
+    Raises GeometryError for the first surface that is open, crosses itself or encloses nothing, and for too
+    many bodies.
     """
-
-    doubled: int = 0
-    collapsed: int = 0
-    faces: int = 0
-    bent: int = 0
-    highest: float = 0.0
-    holes: int = 0
-    widest: float = 0.0
-    junctions: int = 0
-    turned: int = 0
-    moved: float = 0.0
-    volume: float = 0.0
-    other_volume: float = 0.0
-
-
-def bodies_of(surface: Surface, called: str, changes: Changes, holes: float = 0.0, flat: float = 0.0) -> list[Shell]:
-    """Each closed body of a surface, in the unit of the file.
-
-    holes  how wide a hole may be that is closed
-    flat   how far the corners of a face may stand off a plane that is made flat; rounding in single precision always
-    Bodies are told apart by their corners. Where they are not closed so, corners that lie on each other are one first.
-    Raises GeometryError, which calls the surface `called`, where it is open, crosses itself or encloses nothing.
-    """
-    used, place = np.unique(np.concatenate(surface.faces), return_inverse=True)
-    points = surface.points[used]
-    loops = np.split(place.ravel(), np.cumsum([len(face) for face in surface.faces])[:-1])
-    if not np.isfinite(points).all():
-        raise GeometryError(f"{called}: a corner is no finite number")
-    size = float(np.ptp(points, axis=0).max())
-    flat = max(flat, ROUNDING * float(np.abs(points).max()))
-    if not size > 0:
-        raise GeometryError(f"{called}: all its corners lie in one point")
-    tried = Changes()
-    clean = _cleaned(loops, tried)
-    if not _is_closed(clean):
-        first, number = weld(points, SAME * size)
-        points, tried = points[first], Changes()
-        clean = _cleaned([number[loop] for loop in loops], tried)
-        if not _is_closed(clean):
-            mended, tried.junctions = with_corners_on_edges(points, clean, max(flat, SAME * size))
-            clean = mended if tried.junctions else clean
-        clean += _lids(points, clean, holes, tried)
-        _require_closed(points, clean, called)
-    changes.doubled += tried.doubled
-    changes.collapsed += tried.collapsed
-    changes.holes += tried.holes
-    changes.junctions += tried.junctions
-    changes.widest = max(changes.widest, tried.widest)
-    parts = _parts(clean, len(points))
-    several = len(parts) > 1
-    return [
-        _body(points, part, f"{called}, body {n}" if several else called, changes, flat)
-        for n, part in enumerate(parts, 1)
-    ]
+    parts: list[ClosedBody] = []
+    counts, refused = [], None
+    try:
+        for (called, surface), closed in zip(surfaces, closed_parts(surfaces, flat), strict=True):
+            mine = parts_of(surface, called, changes, holes, flat) if closed is None else closed
+            parts += mine
+            counts.append(len(mine))
+            if len(parts) > MOST:
+                raise GeometryError(f"'{file}' holds more than {MOST} bodies")
+    except GeometryError as error:
+        refused = error  # a body before it may be wrong as well, and is told first
+    shells = _shells(parts, changes)
+    if refused is not None:
+        raise refused
+    mesh = joined(shells)
+    even = flattened(mesh, np.array([part.flat for part in parts]))
+    changes.moved = float(np.linalg.norm(even.points - mesh.points, axis=1).max())
+    return even, counts
 
 
-def _cleaned(loops: Loops, changes: Changes) -> Loops:
-    """The faces without corners that follow themselves, each face once."""
-    seen, clean = set(), []
-    for loop in loops:
-        loop = loop[loop != np.roll(loop, 1)]
-        if len(loop) < 3:
-            changes.collapsed += 1
+def _shells(parts: Sequence[ClosedBody], changes: Changes) -> list[Shell]:
+    shells = []
+    for part, outwards in zip(parts, flat_convex(parts), strict=True):
+        if outwards is None:
+            shells.append(_body(part, changes))
             continue
-        key = tuple(sorted(loop.tolist()))
-        if key in seen:
-            changes.doubled += 1
-            continue
-        seen.add(key)
-        clean.append(loop)
-    return clean
+        shells.append(outwards.shell)
+        changes.faces += len(part.loops)
+        changes.turned += outwards.turned
+        changes.volume += outwards.volume
+        changes.other_volume += outwards.volume
+    return shells
 
 
-def _edges(loops: Loops) -> Counter:
-    return Counter(
-        (min(edge), max(edge))
-        for loop in (loop.tolist() for loop in loops)
-        for edge in zip(loop, [*loop[1:], loop[0]], strict=True)
-    )
-
-
-def _is_closed(loops: Loops) -> bool:
-    return bool(loops) and all(times == 2 for times in _edges(loops).values())
-
-
-def _lids(points: np.ndarray, loops: Loops, widest: float, changes: Changes) -> Loops:
-    """A polygon for each hole that is no wider than widest."""
-    beside: dict[int, list[int]] = {}
-    for (a, b), times in _edges(loops).items():
-        if times == 1:
-            beside.setdefault(a, []).append(b)
-            beside.setdefault(b, []).append(a)
-    directed = {edge for loop in loops for edge in zip(loop.tolist(), np.roll(loop, -1).tolist(), strict=True)}
-    lids = []
-    while beside:
-        first = next(iter(beside))
-        ring, at = [], first
-        while at in beside and len(beside[at]) == 2:
-            ring.append(at)
-            at = next((other for other in beside.pop(at) if other in beside), first)
-        if at != first or len(ring) < 3:
-            beside.pop(at, None)  # an edge that ends, or corners at which several holes meet: told as open
-            continue
-        width = float(np.linalg.norm(points[ring] - points[ring].mean(axis=0), axis=1).max() * 2)
-        if width <= widest:
-            lids.append(np.array(ring[::-1] if (ring[0], ring[1]) in directed else ring))
-            changes.holes += 1
-            changes.widest = max(changes.widest, width)
-    return lids
-
-
-def _require_closed(points: np.ndarray, loops: Loops, called: str) -> None:
-    if not loops:
-        raise GeometryError(f"{called}: it has no faces with three corners that differ")
-    edges = _edges(loops)
-    free = [edge for edge, times in edges.items() if times == 1]
-    many = [edge for edge, times in edges.items() if times > 2]
-    if free:
-        raise GeometryError(
-            f"{called} is not closed: {len(free)} of {len(edges)} edges belong to one face only, the first at "
-            f"{_at(points[list(free[0])].mean(axis=0))}; {_way_out(points, loops)}"
-        )
-    if many:
-        raise GeometryError(
-            f"{called}: {edges[many[0]]} faces meet at the edge at {_at(points[list(many[0])].mean(axis=0))}; bodies "
-            "that touch must be groups or files of their own"
-        )
-
-
-def _way_out(points: np.ndarray, loops: Loops) -> str:
-    """What closes an open surface: it was tried."""
-    tried = Changes()
-    if _is_closed(loops + _lids(points, loops, np.inf, tried)):
-        return f"close it where it was made, or by --holes: the widest of its holes is {tried.widest:.4g} wide"
-    return "close it where it was made"
-
-
-def _parts(loops: Loops, count: int) -> list[Loops]:
-    """The faces of each body: those that hang together over corners."""
-    ends = np.concatenate([np.stack([np.full(len(loop) - 1, loop[0]), loop[1:]]) for loop in loops], axis=1)
-    link = coo_array((np.ones(ends.shape[1]), tuple(ends)), shape=(count, count))
-    label = connected_components(link, directed=False)[1]
-    bodies: dict[int, Loops] = {}
-    for loop in loops:
-        bodies.setdefault(int(label[loop[0]]), []).append(loop)
-    return list(bodies.values())
-
-
-def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat: float) -> Shell:
-    used, place = np.unique(np.concatenate(loops), return_inverse=True)
-    points = points[used]
-    loops = np.split(place.ravel(), np.cumsum([len(loop) for loop in loops])[:-1])
+def _body(part: ClosedBody, changes: Changes) -> Shell:
+    called, points, loops, flat = part
     size = float(np.ptp(points, axis=0).max())
     _require_areas(points, loops, FLAT * size, called)
     parts, fans, whole = [], [], []
@@ -222,11 +97,9 @@ def _body(points: np.ndarray, loops: Loops, called: str, changes: Changes, flat:
     changes.volume += volume
     changes.other_volume += float((_volumes(np.concatenate(fans) - middle) * fan_sign).sum())
     if (where := crossing(points, turned, DEEP * size)) is not None:
-        raise GeometryError(f"{called} goes through itself at {_at(where)}; mend it where it was made")
+        raise GeometryError(f"{called} goes through itself at {place_words(where)}; mend it where it was made")
     face = np.unique(whole, axis=0, return_inverse=True)[1].reshape(-1)
-    even, face = flattened(Mesh(points, turned, face), flat)
-    changes.moved = max(changes.moved, float(np.linalg.norm(even - points, axis=1).max()))
-    return Shell(even, turned, face)
+    return Shell(points, turned, face)
 
 
 def _require_areas(points: np.ndarray, loops: Loops, side: float, called: str) -> None:
@@ -238,7 +111,7 @@ def _require_areas(points: np.ndarray, loops: Loops, side: float, called: str) -
     small = ~(areas_normals_centroids(corners)[0] > side**2)
     if small.any():
         n = int(np.argmax(small))
-        place = _at(corners[n].mean(axis=0))
+        place = place_words(corners[n].mean(axis=0))
         raise GeometryError(f"{called}: face {three[n] + 1}, at {place}, has no area; mend it where it was made")
 
 
@@ -268,7 +141,3 @@ def _volumes(corner: np.ndarray) -> np.ndarray:
 
 def _volume(corner: np.ndarray) -> float:
     return float(_volumes(corner).sum())
-
-
-def _at(place: np.ndarray) -> str:
-    return "({:.4g}, {:.4g}, {:.4g})".format(*place)

@@ -11,13 +11,13 @@ import numpy as np
 
 from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
-from geometry.files.surfaces.bodies import Changes, bodies_of
+from geometry.files.surfaces.bodies import bodies_of
+from geometry.files.surfaces.closing import Changes
 from geometry.files.surfaces.obj import read_obj
 from geometry.files.surfaces.surface import Surface
-from geometry.specimens.from_arrays import from_shells
+from geometry.specimens.from_arrays import from_mesh
 
 SUFFIXES = (".obj", ".ply", ".stl")
-MOST_BODIES = 20_000
 MOST_FACES = 2_000_000
 FAR = 1e3
 """Times their size that bodies may lie from the origin before they are moved there."""
@@ -49,17 +49,15 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
     unit = 1.0 if unit is None else unit
     require_lengths("surfaces", {"unit": unit})
     surfaces = _surfaces(path)
-    shift = _shift([surface.points for *_, surface in surfaces])
-    changes, shells, names = Changes(), [], []
-    for called, name, surface in surfaces:
-        bodies = bodies_of(surface._replace(points=surface.points - shift), called, changes, holes / unit, flat / unit)
-        shells += [shell._replace(points=shell.points * unit) for shell in bodies]
-        names += [name] if len(bodies) == 1 else [f"{name}-{n}" if name else "" for n in range(1, len(bodies) + 1)]
-        if len(shells) > MOST_BODIES:
-            raise GeometryError(f"'{path.name}' holds more than {MOST_BODIES} bodies")
+    shift, changes = _shift([surface.points for *_, surface in surfaces]), Changes()
+    moved = _moved([(called, surface) for called, _, surface in surfaces], shift)
+    mesh, counts = bodies_of(moved, path.name, changes, holes / unit, flat / unit)
+    names = []
+    for (_, name, _), count in zip(surfaces, counts, strict=True):
+        names += [name] if count == 1 else [f"{name}-{n}" if name else "" for n in range(1, count + 1)]
     if shift.any():
         notes.append(_far(shift * unit))
-    blocks = from_shells(shells, range(len(shells)), ["units"] * len(shells))
+    blocks = from_mesh(mesh._replace(points=mesh.points * unit), range(len(names)), ["units"] * len(names))
     return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
 
 
@@ -78,9 +76,18 @@ def _surfaces(path: Path) -> list[tuple[str, str, Surface]]:
     return listed
 
 
+def _moved(surfaces: list[tuple[str, Surface]], shift: np.ndarray) -> list[tuple[str, Surface]]:
+    """The surfaces with their points moved by -shift (3,); what shared points shares them still."""
+    if not shift.any():
+        return surfaces
+    points = {id(surface.points): surface.points - shift for _, surface in surfaces}
+    return [(called, surface._replace(points=points[id(surface.points)])) for called, surface in surfaces]
+
+
 def _shift(parts: list[np.ndarray]) -> np.ndarray:
     """What is taken off all corners (., 3) where they lie far from the origin against their size; else zeros (3,)."""
-    ends = np.array([(points.min(axis=0), points.max(axis=0)) for points in parts])
+    different = {id(points): points for points in parts}.values()
+    ends = np.array([(points.min(axis=0), points.max(axis=0)) for points in different])
     low, high = ends[:, 0].min(axis=0), ends[:, 1].max(axis=0)
     size = float((high - low).max())
     if not np.isfinite(size) or size <= 0:

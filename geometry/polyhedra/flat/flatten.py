@@ -16,40 +16,50 @@ TURNED = 0.9
 """Cosine of the angle by which a triangle of a face may turn as its corners move; slivers may turn any way."""
 
 
-def flattened(mesh: Mesh, flat: float) -> tuple[np.ndarray, np.ndarray]:
-    """Points (P, 3) and regions (T,) of triangles: those of one region lie in one plane.
+def flattened(mesh: Mesh, flat: np.ndarray) -> Mesh:
+    """The same surfaces with points moved so that all triangles of a face lie in one plane; faces as large as can be.
 
-    flat (m)  how far a corner of a face may stand off its plane
-    A region whose corners cannot all lie in one plane without moving far comes apart into its triangles.
+    flat (B,) m  how far a corner of a face of each body may stand off its plane
+    A face whose corners cannot all lie in one plane without moving far comes apart into its triangles.
     """
-    size = float(np.ptp(mesh.points, axis=0).max())
-    region = flat_regions(mesh, flat)
-    while True:
-        corner, plane, owner = _incidence(mesh.triangle, region)
-        points, off = meet(mesh.points, corner, plane, NEAR * size, EXACT * size)
+    size = mesh.sizes(len(flat))
+    region, points = flat_regions(mesh, flat), mesh.points.copy()
+    left = np.ones(len(flat), dtype=bool)  # bodies with regions that are not flat yet
+    while left.any():
+        mine = left[mesh.body]
         wrong = np.zeros(int(region.max()) + 1, dtype=bool)
-        wrong[owner] = off > EXACT * size
-        wrong |= _spoilt(mesh, points, region, flat)
-        if not wrong.any():
-            return points, region
+        corner, plane, owner = _incidence(mesh.triangle[mine], region[mine])
+        of_region = np.zeros(len(wrong), dtype=np.int64)
+        of_region[region] = mesh.body
+        body = of_region[owner]
+        moved, off = meet(mesh.points, corner, plane, NEAR * size[body], EXACT * size[body], body)
+        points[mesh.triangle[mine]] = moved[mesh.triangle[mine]]
+        wrong[owner] = off > EXACT * size[body]
+        wrong |= _spoilt(mesh, points, region, flat) & left[of_region]
         apart = wrong[region]
+        left[:] = False
+        left[mesh.body[apart]] = True
         region = np.unique(np.where(apart, len(region) + np.arange(len(region)), region), return_inverse=True)[1]
         region = region.reshape(-1)
+    return mesh._replace(points=points, face=region)
 
 
 def _incidence(triangle: np.ndarray, region: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Corners and planes (N,) that they lie in, of regions of several triangles, and the region of each plane."""
     several = np.bincount(region) > 1
     chosen = several[region]
-    pair = np.unique(np.stack([np.repeat(region[chosen], 3), triangle[chosen].ravel()], axis=1), axis=0)
-    owner, plane = np.unique(pair[:, 0], return_inverse=True)
-    return pair[:, 1], plane.reshape(-1), owner
+    most = int(triangle.max(initial=0)) + 1
+    pair = np.unique(np.repeat(region[chosen], 3) * most + triangle[chosen].ravel())
+    owner, plane = np.unique(pair // most, return_inverse=True)
+    return pair % most, plane.reshape(-1), owner
 
 
-def _spoilt(mesh: Mesh, points: np.ndarray, region: np.ndarray, flat: float) -> np.ndarray:
+def _spoilt(mesh: Mesh, points: np.ndarray, region: np.ndarray, flat: np.ndarray) -> np.ndarray:
     """(K,) regions with a corner that moved too far, or next to a triangle that its corners turned over."""
     moved = np.linalg.norm(points - mesh.points, axis=1)
-    far = moved > FARTHEST * flat
+    limit = np.full(len(points), np.inf)
+    limit[mesh.triangle] = FARTHEST * flat[mesh.body][:, None]
+    far = moved > limit
     before, after = mesh.points[mesh.triangle], points[mesh.triangle]
     area, normal, _ = areas_normals_centroids(before)
     _, turned, _ = areas_normals_centroids(after)

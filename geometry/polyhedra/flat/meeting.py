@@ -5,6 +5,8 @@ three planes, as in most blocks, one round is exact; else the rounds come ever n
 if there are some near by.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 ROUNDS = 200
@@ -17,41 +19,75 @@ LEAST = 1e-6
 """Of the largest eigenvalue: directions in which the planes of a corner hardly differ, along which it does not move."""
 
 
+class _Incidence(NamedTuple):
+    """Corners (N,) in planes (N,), in the order of planes: where each plane begins, how many corners it has, which one
+    it is; and the same in the order of corners: the order, where each corner begins, which one it is."""
+
+    corner: np.ndarray
+    plane: np.ndarray
+    start: np.ndarray
+    corners_of: np.ndarray
+    planes: np.ndarray
+    by_corner: np.ndarray
+    first: np.ndarray
+    corners: np.ndarray
+
+
 def meet(
-    points: np.ndarray, corner: np.ndarray, plane: np.ndarray, width: float, alike: float
+    points: np.ndarray,
+    corner: np.ndarray,
+    plane: np.ndarray,
+    width: np.ndarray | float,
+    alike: np.ndarray | float,
+    body: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Points (P, 3) that lie in their planes, as nearly as can be, and how far (m) each plane (K,) is missed.
 
-    corner, plane (N,): point corner[n] is to lie in plane plane[n], numbered from 0. width (m): near enough. Where all
-    miss their planes by no more than `alike` (m) they stay where they are, bit for bit.
+    corner, plane (N,): point corner[n] is to lie in plane plane[n], numbered from 0. width (m, of each plane or of
+    all): near enough. Where all planes of a body are missed by no more than `alike` (m) its points stay where they are,
+    bit for bit. body (K,) of each plane, which shares no point with those of other bodies; None: all are of one.
     """
     if len(plane) == 0:
         return points, np.zeros(0)
+    planes = int(plane.max()) + 1
+    body = np.zeros(planes, dtype=np.int64) if body is None else body
+    width, alike = np.broadcast_to(width, planes), np.broadcast_to(alike, planes)
+    points, off, before = points.copy(), np.zeros(planes), np.full(int(body.max()) + 1, np.inf)
+    of = _incidence(corner, plane)
+    for n in range(ROUNDS):
+        normal, height = _fitted(points[of.corner], of.start, of.corners_of)
+        off[of.planes] = np.maximum.reduceat(np.abs(height), of.start)
+        ended = np.ones(len(before), dtype=bool)
+        ended[body[off > (width if n else alike)]] = False
+        if n % PATIENCE == 0:
+            worst = np.zeros(len(before))
+            np.maximum.at(worst, body, off)
+            ended |= worst > 0.5 * before
+            before = worst
+        if (going := ~ended[body[of.plane]]).any() and not going.all():
+            of = _incidence(of.corner[going], of.plane[going])
+            normal, height = _fitted(points[of.corner], of.start, of.corners_of)
+        elif not going.any():
+            break
+        axis = np.repeat(normal, of.corners_of, axis=0)[of.by_corner]
+        lacking = height[of.by_corner]
+        matrix = np.add.reduceat(axis[:, :, None] * axis[:, None], of.first)
+        vector = np.add.reduceat(axis * lacking[:, None], of.first)
+        step = _solved(matrix, vector)
+        settled = np.abs(lacking) <= SETTLED * width[of.plane[of.by_corner]]
+        step[np.logical_and.reduceat(settled, of.first)] = 0.0
+        points[of.corners] -= step
+    return points, off
+
+
+def _incidence(corner: np.ndarray, plane: np.ndarray) -> _Incidence:
     order = np.argsort(plane, kind="stable")
     corner, plane = corner[order], plane[order]
     start = np.flatnonzero(np.diff(plane, prepend=-1))
-    count = np.diff(np.append(start, len(plane)))
     by_corner = np.argsort(corner, kind="stable")
     first = np.flatnonzero(np.diff(corner[by_corner], prepend=-1))
-    moved = corner[by_corner][first]
-    points, off, before = points.copy(), np.zeros(0), np.inf
-    for n in range(ROUNDS):
-        normal, height = _fitted(points[corner], start, count)
-        off = np.maximum.reduceat(np.abs(height), start)
-        if off.max() <= (width if n else alike):
-            break
-        if n % PATIENCE == 0:
-            if off.max() > 0.5 * before:
-                break
-            before = off.max()
-        axis = np.repeat(normal, count, axis=0)[by_corner]
-        lacking = height[by_corner]
-        matrix = np.add.reduceat(axis[:, :, None] * axis[:, None], first)
-        vector = np.add.reduceat(axis * lacking[:, None], first)
-        step = _solved(matrix, vector)
-        step[np.maximum.reduceat(np.abs(lacking), first) <= SETTLED * width] = 0.0
-        points[moved] -= step
-    return points, off
+    count = np.diff(np.append(start, len(plane)))
+    return _Incidence(corner, plane, start, count, plane[start], by_corner, first, corner[by_corner][first])
 
 
 def _fitted(place: np.ndarray, start: np.ndarray, count: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

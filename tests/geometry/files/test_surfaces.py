@@ -203,3 +203,32 @@ def test_bodies_that_share_an_edge_and_its_corners_are_refused(tmp_path):
     faces = [*CUBE, *(tuple(other[v] for v in face) for face in CUBE)]
     with pytest.raises(GeometryError, match=r"4 faces meet at the edge at \(1, 1, 0.5\)"):
         read_surfaces(obj(tmp_path / "a.obj", points, faces=faces))
+
+
+def test_sound_bodies_beside_others_are_read_as_each_would_be_alone(tmp_path):
+    triangles = [(face[0], *pair) for face in CUBE for pair in zip(face[1:], face[2:], strict=False)]
+    mixed = [CUBE[0][::-1], *CUBE[1:]]
+    turned = rotation((1.0, 2.0, 3.0), 0.4)
+    bodies = [(corners(), CUBE), (np.round(corners() @ turned.T, 6), triangles), (corners(), mixed)]
+    alone = [read_surfaces(obj(tmp_path / "a.obj", points, faces=faces)).blocks for points, faces in bodies]
+    lines, before = [], 0
+    for n, (points, faces) in enumerate(bodies):
+        lines += [f"o stone{n}", *("v {!r} {!r} {!r}".format(*point) for point in points.tolist())]
+        lines += ["f " + " ".join(str(v + before) for v in face) for face in faces]
+        before += len(points)
+    (tmp_path / "b.obj").write_text("\n".join(lines))
+    together = read_surfaces(tmp_path / "b.obj")
+    assert together.names == ("stone0", "stone1", "stone2") and "inwards, which were turned: 1" in together.notes[0]
+    ends = together.blocks.face_start[together.blocks.block_face_start]
+    for blocks, begin, end in zip(alone, ends[:-1], ends[1:], strict=True):
+        here = together.blocks.points[together.blocks.face_points[begin:end]]
+        assert here == pytest.approx(blocks.points[blocks.face_points], abs=1e-12)
+
+
+def test_of_two_bodies_that_are_wrong_the_first_is_told(tmp_path):
+    crossed = corners()
+    crossed[4:] = crossed[:4]
+    path = obj(tmp_path / "a.obj", crossed, corners((2, 0, 0)))
+    path.write_text("\n".join(path.read_text().splitlines()[:-1]))
+    with pytest.raises(GeometryError, match="^'body0'"):
+        read_surfaces(path)
