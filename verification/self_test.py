@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from masonry.laboratory import machine_speed
 from verification.case import Case, Check
 from verification.cases.contact_law import tension_by_law
 from verification.cases.fracture import couplet
@@ -50,8 +51,11 @@ def _speed() -> Finding:
             False,
             ["a wall's forces are not those of the hand-written step: the compiled code is wrong here"],
         )
+    machine_speed.keep(speed.ours)
     lines = [
         f"a step takes {speed.ours:.1f} ns per contact point, the one written by hand {speed.by_hand:.1f} ns: "
-        f"{speed.ratio:.2f} of it ({speed.points} points, one thread, spread {100 * speed.spread:.0f} %)"
+        f"{speed.ratio:.2f} of it ({speed.points} points, one thread, spread {100 * speed.spread:.0f} %)",
+        f"`masonry check` foretells times from now on by that: {machine_speed.ratio():.2f} of those of the machine on "
+        "which its costs were measured",
     ]
     return "speed", True, lines

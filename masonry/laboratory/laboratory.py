@@ -8,7 +8,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
-from masonry.laboratory.cost import candidates, expected, expected_seconds
+from masonry.laboratory.cost import candidates, forecast
 from masonry.laboratory.quality import cells_text, quality_lines
 from masonry.laboratory.remarks.checks.unit_weight_densities import unit_weights
 from masonry.laboratory.remarks.inspection import Inspection
@@ -102,7 +102,7 @@ def check(scene: Scene) -> "Report":
     """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
     assembly = assemble(scene)
     model = assembly.model
-    counts = np.bincount(model.group, minlength=len(model.group_names))
+    counts, run = np.bincount(model.group, minlength=len(model.group_names)), forecast(assembly)
     from masonry.laboratory.text import Report
 
     return Report(
@@ -118,8 +118,10 @@ def check(scene: Scene) -> "Report":
         quality=quality_lines(assembly),
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),
-        steps=expected(assembly).steps,
-        expected_seconds=expected_seconds(assembly),
+        steps=run.steps[0],
+        steps_between=run.steps[1:],
+        expected_seconds=run.seconds[0],
+        seconds_between=run.seconds[1:],
         left_out=left_out(assembly),
         compiled=compiled(assembly),
         warnings=remarks_of_check(assembly),

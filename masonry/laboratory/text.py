@@ -29,6 +29,8 @@ class Report(Record):
 
     contacts     number of joints by contact group
     limited_by   what bounds the time step, in words, as all that follows but for steps, seconds and warnings
+    steps, expected_seconds          about; seconds are of processor, without compiling
+    steps_between, seconds_between   at least and at most; twice the same where all steps are known beforehand
     """
 
     blocks: int
@@ -44,7 +46,9 @@ class Report(Record):
     settling: str
     meeting: str
     steps: int
+    steps_between: tuple[int, int]
     expected_seconds: float
+    seconds_between: tuple[float, float]
     left_out: list[str]
     compiled: list[str]
     warnings: list[str]
@@ -76,12 +80,26 @@ def check_rows(report: Report) -> Rows:
         *((word, [sentence]) for word, sentence in report.quality.items()),
         *([("settling", [report.settling])] if report.settling else []),
         *([("may meet", [report.meeting])] if report.meeting else []),
-        ("steps", [f"{report.steps}"]),
-        ("expected time", [f"about {duration(report.expected_seconds)}"]),
+        ("steps", [_steps_text(report)]),
+        ("expected time", [_seconds_text(report)]),
         ("compiled in", report.compiled or ["nothing beyond contacts"]),
         ("not used", report.left_out or ["nothing"]),
         ("warnings", report.warnings or ["none"]),
     ]
+
+
+def _steps_text(report: Report) -> str:
+    """Two digits of what is not known beforehand."""
+    least, most = report.steps_between
+    if least == most:
+        return f"{report.steps}"
+    return "about {}, between {} and {}".format(*(int(float(f"{n:.2g}")) for n in (report.steps, least, most)))
+
+
+def _seconds_text(report: Report) -> str:
+    least, most = map(duration, report.seconds_between)
+    between = "" if least == most else f", between {least} and {most}"
+    return f"about {duration(report.expected_seconds)} of processor{between}"
 
 
 def paths_text(paths: dict[str, Path]) -> str:

@@ -9,6 +9,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.kinematics.motion import Guided
 from masonry.monitors.events import Event
+from masonry.runtime.progress import Effort
 from masonry.runtime.state_file import Remembering
 
 Arrays = dict[str, np.ndarray]
@@ -17,11 +18,15 @@ Damping = float | Guided | None
 
 
 class Expected(NamedTuple):
-    """About what a run will take: steps, rows of its curve, and looks at the whole specimen besides."""
+    """About what a run will take: steps, rows of its curve, chunks of steps, and looks at the whole specimen besides;
+    and how many times as much at least and at most, where the specimen has a say in it."""
 
     steps: int
     rows: int
+    chunks: float = 0.0
     looks: float = 0.0
+    least: float = 1.0
+    most: float = 1.0
 
 
 class LoadingOutcome:
@@ -59,6 +64,11 @@ class Loading(Remembering, ABC):
     @abstractmethod
     def progress(self) -> tuple[int, int]:
         """How much is done, and of how much."""
+
+    def effort(self) -> Effort:
+        """How much work is done and left: the same, where each part takes about as long."""
+        now, whole = self.progress()
+        return Effort(now, whole - now, whole - now)
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""

@@ -5,7 +5,8 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, TextIO
+from math import inf, sqrt
+from typing import Any, NamedTuple, TextIO
 
 LINE_FRACTION = 0.1
 LINE_SECONDS = 10.0
@@ -14,6 +15,68 @@ TICK_SECONDS = 1.0
 """While nobody knows how far it is, the time that it took is told anew so often on a terminal."""
 BAR_SECONDS = 0.1
 """A bar is drawn at most this often."""
+EVIDENCE, EVIDENCE_SECONDS = 0.05, 1.0
+"""Share of the whole that must have been done, and the time that must have passed meanwhile, before a word is said of
+the time left."""
+LATELY = 0.25
+"""Share of the time passed whose pace counts beside that of all of it."""
+ALIKE, NOTHING = 2.0, 0.1
+"""Bounds that lie closer together are said as one number, and a lower one is left out below this share of the upper."""
+
+
+class Effort(NamedTuple):
+    """How much work is done, in any measure in which it goes on about steadily, and how much is left, at least and at
+    most; infinite where nobody knows."""
+
+    done: float
+    least: float
+    most: float
+
+
+class TimeLeft:
+    """How much longer it takes, between two bounds: by the mean, as factors, of the pace of all that was seen and of
+    that of the last part; where these differ, neither is left out."""
+
+    def __init__(self) -> None:
+        self.looks: list[tuple[float, float]] = []
+
+    def look(self, effort: Effort, now: float) -> None:
+        """So much is done by now (s). A look in a hundredth of the way is enough; where nobody knows how much is left,
+        the pace is another one as well."""
+        if effort.most == inf:
+            return
+        if not self.looks or effort.done - self.looks[-1][0] >= 0.01 * (effort.done - self.looks[0][0]):
+            self.looks.append((effort.done, now))
+
+    def bounds(self, effort: Effort, now: float) -> tuple[float, float] | None:
+        """(s) at least and at most; None before there is enough evidence, or where nobody knows."""
+        if not self.looks or effort.most == inf:
+            return None
+        first, begun = self.looks[0]
+        made, passed, left = effort.done - first, now - begun, sqrt(effort.least * effort.most)
+        whole = effort.done + (left or 0.5 * effort.most)
+        if made < EVIDENCE * whole or made <= 0.0 or passed < EVIDENCE_SECONDS:
+            return None
+        before = [(done, time) for done, time in self.looks if time <= now - LATELY * passed]
+        done, time = before[-1]
+        slow, fast = sorted([made / passed, max(effort.done - done, 1e-3 * made) / max(now - time, 1e-9)])
+        pace = sqrt(slow * fast)
+        return min(effort.least / pace, left / fast), max(effort.most / pace, left / slow)
+
+    def words(self, effort: Effort, now: float) -> str:
+        """`12 s left`, `10 s to 1 min 05 s left`, `at most 30 s left`; nothing before there is evidence, or at the
+        end."""
+        bounds = self.bounds(effort, now)
+        if bounds is None or effort.most <= 0.0:
+            return ""
+        least, most = bounds
+        if most <= ALIKE * least:
+            return f"{duration(sqrt(least * most))} left"
+        return (
+            f"at most {duration(most)} left"
+            if least < NOTHING * most
+            else f"{duration(least)} to {duration(most)} left"
+        )
 
 
 class Progress:
@@ -22,7 +85,7 @@ class Progress:
     Use as a context manager; `update`, or a call of the object itself, as often as one likes.
 
     `total_steps` may be 0 while it is not known and set later. Time left is counted from the first update, so that
-    compiling does not spoil it.
+    compiling does not spoil it; it follows `effort`, where parts of a run take longer than others.
     """
 
     def __init__(
@@ -37,7 +100,8 @@ class Progress:
         self._stream = sys.stderr if stream is None else stream
         self._clock = clock
         self._begun = False
-        self._first: tuple[int, float] | None = None
+        self.effort: Effort | None = None
+        self._left = TimeLeft()
         self._said_at = 0.0
         self._said_step = 0
         self._announced = ""
@@ -61,17 +125,20 @@ class Progress:
         if step == 0:
             self._announce(note, now)
             return
-        self._first = self._first or (step, now)
+        effort = self.effort or Effort(step, self.total_steps - step, self.total_steps - step)
+        self._left.look(effort, now)
+        left = self._left.words(effort, now) if step >= EVIDENCE * self.total_steps > 0 else ""
         done = bool(self.total_steps) and step >= self.total_steps
         if self._bar is not None:
             if done or now - self._said_at >= BAR_SECONDS:
                 self._said_at = now
-                self._bar.update(self._task, total=self.total_steps or None, completed=step, note=note, refresh=True)
+                total = self.total_steps or None
+                self._bar.update(self._task, total=total, completed=step, left=left, note=note, refresh=True)
             return
         due = step - self._said_step >= LINE_FRACTION * self.total_steps > 0 or now - self._said_at >= LINE_SECONDS
         if step > self._said_step and (due or done):
             self._said_at, self._said_step = now, step
-            self._say(self.line(step, note, now))
+            self._say(self.line(step, left, note))
 
     def _announce(self, note: str, now: float) -> None:
         """What is done before the first part, such as compiling; it does not count in the time left.
@@ -108,17 +175,10 @@ class Progress:
         self.total_steps = total_steps
         self.update(step, note)
 
-    def line(self, step: int, note: str, now: float) -> str:
-        """One plain line: `couplet  40 %  1.2 s left  step 20000, stress 0.12 MPa`."""
-        words = [self.label] if self.label else []
-        if self.total_steps:
-            words.append(f"{100 * step / self.total_steps:.0f} %")
-            first, then = self._first or (step, now)
-            if first < step < self.total_steps:
-                words.append(f"{duration((now - then) * (self.total_steps - step) / (step - first))} left")
-        else:
-            words.append(f"{step} steps")
-        return "  ".join([*words, *([note] if note else [])])
+    def line(self, step: int, left: str, note: str) -> str:
+        """One plain line: `couplet  40 %  12 s left  step 20000, stress 0.12 MPa`."""
+        share = f"{100 * step / self.total_steps:.0f} %" if self.total_steps else f"{step} steps"
+        return "  ".join(filter(None, [self.label, share, left, note]))
 
     def _begin(self) -> None:
         if self._begun:
@@ -127,7 +187,7 @@ class Progress:
         self._said_at = self._clock()
         if self._stream is not None and self._stream.isatty():
             self._bar = _bar(self._stream)
-            self._task = self._bar.add_task(self.label, total=self.total_steps or None, note="")
+            self._task = self._bar.add_task(self.label, total=self.total_steps or None, left="", note="")
             self._bar.start()
 
     def _say(self, line: str) -> None:
@@ -148,14 +208,14 @@ def duration(seconds: float) -> str:
 
 def _bar(stream: TextIO) -> Any:
     from rich.console import Console
-    from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TaskProgressColumn, TextColumn
     from rich.progress import Progress as RichProgress
 
     return RichProgress(
         TextColumn("{task.description}", markup=False),
         BarColumn(),
         TaskProgressColumn(),
-        TimeRemainingColumn(),
+        TextColumn("{task.fields[left]}"),
         TextColumn("{task.fields[note]}", markup=False),
         console=Console(file=stream),
         auto_refresh=False,

@@ -101,6 +101,6 @@ class Checkpointer:
             self.failing = False
         except OSError as error:
             if not self.failing:
-                kept = "the one before is kept" if checkpoints.states() else "there is none yet"
-                self.tell(f"no checkpoint could be written: {error.strerror or error}; {kept}, and the run goes on")
+                older = "the one before is kept" if checkpoints.states() else "there is none yet"
+                self.tell(f"no checkpoint could be written: {error.strerror or error}; {older}, and the run goes on")
             self.failing = True

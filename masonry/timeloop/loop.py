@@ -22,6 +22,7 @@ from masonry.rows.columns import FACTOR, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
 from masonry.runtime.processors import Seconds
+from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiled_step import advance_model
@@ -95,6 +96,8 @@ class Loop:
         self.take_row(self.done, before, frame_due)
         self.configuration.after_row()
         self.outcome.steps = self.done
+        if isinstance(progress, Progress):
+            progress.effort = self.loading.effort()
         if progress is not None:
             progress(now, whole, f"step {self.done}, {self.state_of_the_run()}")
 
@@ -281,5 +284,5 @@ def append(columns: Columns, row: dict[str, float]) -> None:
         columns.setdefault(key, []).append(value)
 
 
-def _kept(kept: Frame | Standing) -> State:
-    return {entry.name: getattr(kept, entry.name) for entry in fields(kept)}
+def _kept(record: Frame | Standing) -> State:
+    return {entry.name: getattr(record, entry.name) for entry in fields(record)}

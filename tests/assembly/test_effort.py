@@ -3,9 +3,63 @@
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.laboratory import laboratory
-from masonry.laboratory.cost import expected
+from masonry.laboratory import laboratory, machine_speed
+from masonry.laboratory.cost import expected, forecast
+from masonry.runtime.processors import compiled_for
 from masonry.scene import load
+from masonry.scene.source import titles
+
+STEPS = {
+    "arch": 20000,
+    "arch-own-weight": 20000,
+    "arch-spread": 51348,
+    "arch-spreading": 2248506,
+    "arch-tilted": 2830625,
+    "bending-0": 67176,
+    "bending-025": 74528,
+    "block-rocking": 103978,
+    "column-pushed": 105682,
+    "couplet": 4441,
+    "couplet-cyclic": 7096,
+    "couplet-meso-coarse": 25678,
+    "couplet-meso-medium": 22173,
+    "couplet-slid-off": 889665,
+    "dome-own-weight": 20000,
+    "facade-tilted": 1491761,
+    "rubble-pile": 1052880,
+    "shear-wall": 102386,
+    "triplet-dry": 2351,
+    "vault-spreading": 53569,
+    "wall-out-of-plane": 2188791,
+    "wall-pushed-over": 634032,
+    "wall-three-leaf": 15000,
+    "wall-three-leaf-out-of-plane": 27000,
+    "wall-tilted": 81100,
+    "wall-to-and-fro": 596450,
+    "wall-with-window": 82351,
+    "wallette-cyclic": 37049,
+    "wallette-mode-1": 31918,
+    "wallette-mode-1-218": 28775,
+    "wallette-mode-1-335": 37878,
+    "wallette-mode-1-540": 44330,
+    "wallette-mode-2": 22760,
+    "wallette-mode-2-218": 19908,
+    "wallette-mode-2-335": 24726,
+    "wallette-mode-2-540": 21573,
+}
+"""Of runs of the scenes that are shipped. `python -m verification.studies.forecasts` makes them, and times them too."""
+LARGE = ("wall-three-leaf", "wall-three-leaf-out-of-plane", "dome-own-weight", "rubble-pile")
+
+
+def test_all_scenes_that_are_shipped_are_measured():
+    assert sorted(titles()) == sorted(STEPS)
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in LARGE else []) for n in STEPS])
+def test_steps_are_within_a_factor_2_and_between_the_bounds(name):
+    about, least, most = forecast(assemble(load(name))).steps
+    assert 0.5 < about / STEPS[name] < 2.0
+    assert least <= STEPS[name] <= most <= 6.1 * least
 
 
 @pytest.mark.parametrize(
@@ -34,3 +88,31 @@ def test_a_finer_accuracy_is_expected_to_take_longer():
         coarse, fine = (laboratory.check(load(name, {"drive.accuracy": a})) for a in (0.01, 0.001))
         for key in ("steps", "expected_seconds"):
             assert 5.0 < fine[key] / coarse[key] < 10.0
+
+
+def test_steps_that_are_known_beforehand_have_no_bounds():
+    report = laboratory.check(load("arch"))
+    assert report.steps_between == (20000, 20000) and report.seconds_between[0] == report.seconds_between[1]
+    assert "between" not in f"{report}"
+
+
+def test_a_settling_that_the_scene_does_not_know_is_counted_with_its_trials():
+    scene = load("column-pushed")
+    known, unknown = forecast(assemble(scene)), forecast(assemble(scene.model_copy(update={"settle": None})))
+    assert unknown.seconds[2] / unknown.steps[2] > known.seconds[2] / known.steps[2]
+    assert unknown.steps[2] - unknown.steps[1] > known.steps[2] - known.steps[1]
+
+
+def test_the_doctor_says_how_fast_this_machine_is(tmp_path, monkeypatch):
+    monkeypatch.setenv("MASONRY_CACHE", str(tmp_path))
+    before = laboratory.check(load("couplet")).expected_seconds
+    machine_speed.keep(3.0 * machine_speed.MACHINE["point"])
+    assert machine_speed.ratio() == pytest.approx(3.0)
+    file = tmp_path / "masonry-dem" / "machine" / "speed.json"
+    assert (file.parent / "CACHEDIR.TAG").exists() and compiled_for() in file.read_text()
+    after = laboratory.check(load("couplet")).expected_seconds
+    assert after != before
+    file.write_text(file.read_text().replace(compiled_for(), "another processor"))
+    assert 0.1 <= machine_speed.ratio() < 3.0 or machine_speed.kernel_seconds() > 3.0 * machine_speed.MACHINE["kernel"]
+    file.write_text("{")
+    assert machine_speed.ratio() >= 0.1

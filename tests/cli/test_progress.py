@@ -6,13 +6,16 @@ import re
 import subprocess
 import sys
 import threading
+from math import inf
 
 import pytest
 
 from masonry.judgement.sentence import trust
+from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text, summary_text
 from masonry.results.summary import Summary
-from masonry.runtime.progress import Progress, duration
+from masonry.runtime.progress import Effort, Progress, TimeLeft, duration
+from masonry.scene import load
 from tests.results.sample import SUMMARY
 
 
@@ -39,9 +42,9 @@ def run(seconds_per_step, steps=1000, chunk=10):
 
 
 def test_a_short_run_in_a_pipe_says_a_line_every_ten_percent():
-    lines = run(0.001)
+    lines = run(0.01)
     assert len(lines) == 10
-    assert lines[3] == "wallette-mode-1  40 %  0.6 s left  stress 0.12 MPa"
+    assert lines[3] == "wallette-mode-1  40 %  6 s left  stress 0.12 MPa"
     assert lines[-1] == "wallette-mode-1  100 %  stress 0.12 MPa"
 
 
@@ -49,6 +52,46 @@ def test_a_long_run_in_a_pipe_says_a_line_every_ten_seconds():
     lines = run(0.25)
     assert len(lines) == 26
     assert "3 min 05 s left" in lines[6]
+
+
+def test_nothing_is_said_of_the_time_left_before_there_is_evidence():
+    assert not any("left" in line for line in run(0.001)), "a second is soon over"
+    early = [line for line in run(2.0) if int(re.search(r"(\d+) %", line)[1]) < 5]
+    assert len(early) == 4 and not any("left" in line for line in early)
+
+
+def words_of(paces, left=lambda done: (1.0 - done, 1.0 - done)):
+    """Words on the time left of a work in a hundred parts, which take so many seconds each."""
+    now, watch, words = 0.0, TimeLeft(), []
+    for part, pace in enumerate(paces, 1):
+        now += pace
+        effort = Effort(part / 100, *left(part / 100))
+        watch.look(effort, now)
+        words.append(watch.words(effort, now))
+    return words
+
+
+def test_a_work_that_slows_down_is_told_by_all_of_it_and_by_its_last_part():
+    words = words_of([1.0] * 50 + [10.0] * 50)
+    assert words[3] == "" and words[49] == "50 s left" and words[99] == ""
+    assert words[79] == "1 min 28 s to 3 min 20 s left", "as fast as on average, and as fast as lately"
+
+
+def test_a_work_that_may_end_by_itself_is_told_by_bounds():
+    words = words_of([1.0] * 100, lambda done: (max(0.6 - done, 0.0), 1.0 - done))
+    assert words[19] == "40 s to 1 min 20 s left" or words[19] == "57 s left"
+    assert words[49] == "10 s to 50 s left" and words[69] == "at most 30 s left"
+
+
+def test_where_nobody_knows_how_much_is_left_nothing_is_said_and_the_pace_does_not_count():
+    words = words_of([100.0] * 50 + [1.0] * 50, lambda done: (1.0 - done, inf if done <= 0.5 else 1.0 - done))
+    assert not any(words[:50]) and words[79] == "20 s left"
+
+
+def test_a_run_tells_how_much_work_is_left():
+    progress = Progress(stream=io.StringIO())
+    laboratory.run(load("couplet", {"drive.accuracy": 0.05}), progress=progress)
+    assert progress.effort.done == pytest.approx(1.0) and progress.effort.most == pytest.approx(0.0)
 
 
 def test_a_run_of_unknown_length_counts_its_steps_and_may_learn_its_length():

@@ -4,7 +4,7 @@ A load that goes to and fro goes leg by leg, from one of its turning points to t
 that grows.
 """
 
-from math import inf, log
+from math import inf, log, log2
 
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing_settings import GrowingSettings
@@ -12,6 +12,8 @@ from masonry.runtime.state_file import Remembering
 
 LEAST = 1e-9
 """A factor that is nothing, where there is no other load to compare with."""
+RAISED = 12.0
+"""Trials by which a load may still be raised, each time by up to half of what it is."""
 SLIVER = 1e-6
 """Share of an increment that is not left over at the end of a leg: it is but rounding of the sum of increments."""
 
@@ -99,6 +101,14 @@ class Enclosing(Remembering):
         elif self.falls < inf:
             self.increment = (self.falls - self.stands) * (1.0 if self.is_narrow else 0.5)
         return True
+
+    def trials_left(self) -> tuple[float, float]:
+        """At least, and at most, of a load that grows one way: an interval is halved until it is narrow, but before
+        something falls nobody knows how often the factor is still raised."""
+        wide = self.increment if self.falls == inf else self.falls - self.stands
+        narrow = self.path.accuracy * max(self.target, self.settings.first)
+        halvings = max(log2(max(wide, narrow) / narrow), 0.0) + 1.0
+        return halvings, halvings + (RAISED if self.falls == inf else 1.0)
 
     def progress(self) -> int:
         """How far the factor is known, in thousandths; to and fro, how far it has come."""

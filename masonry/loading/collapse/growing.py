@@ -8,6 +8,7 @@ and fro is borne at each of its turning points, or ends where nothing balances i
 """
 
 from dataclasses import dataclass
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -21,17 +22,21 @@ from masonry.loading.collapse.phases import PHASES, EndPhase, Phase, SettlingPha
 from masonry.loading.collapse.trials import FactorLoad, Tally, Trials
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan
+from masonry.loading.scheduled import LONGEST_CHUNK
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.rows.columns import FACTOR, OFF_BALANCE
+from masonry.runtime.progress import Effort
 from masonry.runtime.state_file import State
 
-TRIALS, FEWEST_OF_TRIAL, ROWS_OF_TRIAL = 20, 2000, 5
-"""What a run takes: trials, the steps of one at least, and rows of one, with the fall's."""
-STEPS_OF_INCREMENT = 1500
-"""The same of one that goes to and fro: 400 to 4,500 in single cases."""
-STEPS_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 200
-"""Of a gauge that is led on behind the collapse: from 3,000 steps to a million in single cases."""
+TRIALS, OF_TRIAL, ROWS_OF_TRIAL, ROWS_OF_FALL = 20, (1 / 6, 2000), 2, 200
+"""What a run takes: trials, steps of one over those of the settling, and at least; rows of one, and of the fall."""
+OF_INCREMENT = (1 / 2, 500)
+"""The same of one that goes to and fro."""
+FEWER, MORE = 0.4, 2.5
+"""Times as many in single cases."""
+STEPS_OF_BRANCH, FEWEST_OF_BRANCH, MOST_OF_BRANCH, ROWS_OF_BRANCH = 150_000, 3_000, 1_000_000, 200
+"""Of a gauge that is led on behind the collapse."""
 
 
 class Control(NamedTuple):
@@ -63,10 +68,19 @@ class Growing(PacedPlan):
 
     def expected(self, model: Model, rows: int, axis: int | None) -> Expected:
         """About: a trial has few rows, and looks in between."""
-        of_trial = STEPS_OF_INCREMENT if self.path.reversals else max(self.settle // 6, FEWEST_OF_TRIAL)
-        before, behind = self.settle + self.trials * of_trial, 0 if self.control is None else STEPS_OF_BRANCH
-        looks = before / GROWING.look + behind / FALLING.longest
-        return Expected(before + behind, ROWS_OF_TRIAL * self.trials + (ROWS_OF_BRANCH if behind else 0), looks)
+        share, fewest = OF_INCREMENT if self.path.reversals else OF_TRIAL
+        trying = self.trials * max(round(share * self.settle), fewest)
+        fewest, behind, most = (FEWEST_OF_BRANCH, STEPS_OF_BRANCH, MOST_OF_BRANCH) if self.control else (0, 0, 0)
+        steps, looks = self.settle + trying + behind, trying / GROWING.look + behind / FALLING.longest
+        after = 0 if self.path.reversals else ROWS_OF_FALL if self.control is None else ROWS_OF_BRANCH
+        return Expected(
+            steps,
+            ROWS_OF_TRIAL * self.trials + after,
+            looks + self.settle / LONGEST_CHUNK,
+            looks,
+            least=(self.settle + FEWER * trying + fewest) / steps,
+            most=(self.settle + MORE * trying + most) / steps,
+        )
 
     @property
     def varies(self) -> int:
@@ -139,6 +153,17 @@ class GrowingLoading(Loading):
             return 1000, 1000
         enclosed, branch = self.trials.enclosing.progress(), self.trials.branch
         return enclosed if branch is None else branch.progress(enclosed), 1000
+
+    def effort(self) -> Effort:
+        """Of a load that goes to and fro, its path; else the trials, or the way of the gauge behind them."""
+        enclosing, branch = self.trials.enclosing, self.trials.branch
+        if self.plan.path.reversals:
+            now, whole = self.progress()
+            return Effort(now, FEWER * (whole - now), MORE * (whole - now))
+        if branch is None:
+            return Effort(enclosing.trials, *enclosing.trials_left())
+        now, whole = self.progress()
+        return Effort(now, FEWER * (whole - now), MORE * (whole - now)) if branch.led else Effort(now, whole, inf)
 
     def outcome(self) -> CollapseOutcome:
         """The interval of the factor, the mechanism, and the branch behind it."""

@@ -1,0 +1,65 @@
+"""How fast this machine is, as a ratio: `masonry doctor` times the step and keeps it, else a quick kernel is timed.
+
+All costs of `cost.py` were measured on one machine, whose ratio is 1; one that takes twice as long has 2.
+"""
+
+import contextlib
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+
+from masonry.jit.compiler import MARKER, OURS, cache_root
+from masonry.runtime.processors import compiled_for
+
+MACHINE = {"kernel": 2.16e-3, "point": 8.7}
+"""Of that machine, an AMD EPYC with AVX-512: seconds of processor of the kernel, and nanoseconds that a step of the
+doctor's wall takes per contact point."""
+ROUNDS, SIZE = 7, 2048
+SANE = (0.1, 30.0)
+"""A ratio beyond these was not measured on a machine that does nothing else."""
+
+
+def ratio() -> float:
+    """Time of a step here over that on the machine of the costs: as the doctor found, else by the kernel."""
+    try:
+        speed = json.loads(_file().read_text(encoding="utf-8"))
+        value, processor = float(speed["ratio"]), speed["processor"]
+    except (OSError, ValueError, TypeError, KeyError):
+        return _sane(kernel_seconds() / MACHINE["kernel"])
+    return _sane(value if processor == compiled_for() else kernel_seconds() / MACHINE["kernel"])
+
+
+def keep(nanoseconds: float) -> None:
+    """What a step of the doctor's wall takes per contact point, for `ratio`; nothing where it cannot be written."""
+    file = _file()
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        (file.parent / MARKER).write_bytes(OURS)
+        file.write_text(
+            json.dumps({"ratio": nanoseconds / MACHINE["point"], "processor": compiled_for()}), encoding="utf-8"
+        )
+
+
+def kernel_seconds() -> float:
+    """Of processor, for what a step and a row do: sums, roots and gathers of short arrays, and some Python; the
+    shortest of some rounds, as others may use the processor as well."""
+    x, gather = np.linspace(0.0, 1.0, SIZE), (np.arange(SIZE) * 7) % SIZE
+    rounds = []
+    for _ in range(ROUNDS):
+        begun = time.process_time()
+        for _ in range(150):
+            y = np.sqrt(x * x + 1.0)[gather] - 0.5 * x
+            np.bincount(gather, y, SIZE)
+            sum(i * i for i in range(100))
+        rounds.append(time.process_time() - begun)
+    return min(rounds)
+
+
+def _sane(value: float) -> float:
+    return min(max(value, SANE[0]), SANE[1])
+
+
+def _file() -> Path:
+    return cache_root() / "machine" / "speed.json"
