@@ -29,7 +29,10 @@ from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.damping import damping_of
-from masonry.model.layout import Material, lay_out
+from masonry.model.gauges import Gauge
+from masonry.model.large.meeting import Meetings
+from masonry.model.layout import Layout, Material, lay_out
+from masonry.model.loads import Conditions
 from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
 from masonry.timeloop.recording import Recording
@@ -54,19 +57,35 @@ class Assembly:
 def assemble(scene: Scene) -> Assembly:
     """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
     specimen, joints = joined(scene)
-    blocks = specimen.blocks
-    require_groups(scene, blocks.groups)
+    require_groups(scene, specimen.blocks.groups)
     require_contact_groups(scene, specimen, joints)
     compressions = sorted({0.0, scene.confinement or 0.0})
-    pairs = pairs_of(scene, blocks, compressions) if scene.is_large else None
-    mesh, joints = meshed(scene, blocks, joints)
+    pairs = pairs_of(scene, specimen.blocks, compressions) if scene.is_large else None
+    mesh, joints = meshed(scene, specimen.blocks, joints)
     if scene.is_large:  # cells of a unit share corners, and each goes its own way
-        blocks = with_own_points(blocks)
-        specimen = replace(specimen, blocks=blocks)
-    kinds = {g: scene.kinematics_of(g) for g in blocks.groups}
+        specimen = replace(specimen, blocks=with_own_points(specimen.blocks))
+    blocks = specimen.blocks
     names, group, joints = model.sort_by_group(blocks, joints)
     materials = {g: material_of(scene, g) for g in blocks.groups}
-    layout = lay_out(blocks, kinds, mesh)
+    layout = lay_out(blocks, {g: scene.kinematics_of(g) for g in blocks.groups}, mesh)
+    conditions = _all_conditions(scene, specimen, joints, layout, materials)
+    drawn = _draws(scene, blocks, joints, names, group)
+    laws = _laws(scene, names, drawn, compressions)
+    meetings = None if pairs is None else meetings_of(pairs, scene)
+    stepping = _stepping(scene, mesh, meetings)
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
+    plan = plan_of(scene, built.dt)
+    if plan.moves_at_once:
+        first = plan.factors_at(np.zeros(1))
+        begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
+    recording = _recording(scene, specimen, gauges_of(scene, specimen, joints, layout), Surroundings(conditions))
+    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
+
+
+def _all_conditions(
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material]
+) -> Conditions:
+    """Supports and loads, the one that grows among them. Raises SceneError where something stands on nothing."""
     conditions = conditions_of(scene, specimen, layout, joints, materials)
     if scene.grows:
         let_grow(scene, specimen, joints, layout, materials, conditions)
@@ -75,35 +94,48 @@ def assemble(scene: Scene) -> Assembly:
         for varying in conditions.varying:
             require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
     if scene.comes_in_layers:
-        lay_in_layers(scene, blocks, layout, materials, conditions)
+        lay_in_layers(scene, specimen.blocks, layout, materials, conditions)
+    return conditions
+
+
+def _laws(scene: Scene, names: tuple[str, ...], drawn: list[Drawn], compressions: list[float]) -> dict[str, tuple]:
+    """By contact group, its parameters and joint properties; those that are drawn differ from contact to contact."""
     properties = {name: scene.contact_of(name).properties(scene.turns_back) for name in names}
     laws = {name: factory.build(name, properties[name], compressions) for name in names}
-    drawn = _draws(scene, blocks, joints, names, group)
-    laws |= {d.group: laws_of(d, properties[d.group], compressions) for d in drawn}
-    s = scene.solver
-    stepping = model.Stepping(s.masses, s.time_step, s.step_fraction, damping_of(s, scene.is_controlled))
-    if s.time_step == "equation-11" and s.masses == "scaled":
+    return laws | {d.group: laws_of(d, properties[d.group], compressions) for d in drawn}
+
+
+def _stepping(scene: Scene, mesh: TetMesh | None, meetings: Meetings | None) -> model.Stepping:
+    """How time advances. Raises SceneError where the time step would not be proven."""
+    solver = scene.solver
+    if solver.masses == "scaled" and solver.time_step == "equation-11":
         raise SceneError(
             'solver.time_step = "equation-11" needs solver.masses = "real": scaled masses have one bound of their own'
         )
-    meetings = None if pairs is None else meetings_of(pairs, scene)
-    if mesh is not None and s.masses == "scaled" and meetings is not None and meetings.rules.dashpot.any():
+    if solver.masses == "scaled" and mesh is not None and meetings is not None and meetings.rules.dashpot.any():
         raise SceneError(
             "normal_dashpot of blocks of kinematics 'tets' needs solver.masses = \"real\": the time step is not proven "
             "for it with scaled masses, where solver.damping does the same"
         )
-    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
-    plan = plan_of(scene, built.dt)
-    if plan.moves_at_once:
-        first = plan.factors_at(np.zeros(1))
-        begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
-    sign = scene.drive.sign if scene.drive else 1.0
-    gauges = gauges_of(scene, specimen, joints, layout)
-    recording = Recording(
-        *(specimen.section, sign, s.rows, s.rotation_limit, gauges, s.frames, s.slip_limit, specimen.sets),
-        *(Surroundings(conditions), None if scene.drive is None else "xyz".index(scene.drive.direction[-1])),
+    damping = damping_of(solver, scene.is_controlled)
+    return model.Stepping(solver.masses, solver.time_step, solver.step_fraction, damping)
+
+
+def _recording(scene: Scene, specimen: Specimen, gauges: tuple[Gauge, ...], surroundings: Surroundings) -> Recording:
+    """What is recorded of a run."""
+    drive, solver = scene.drive, scene.solver
+    return Recording(
+        section=specimen.section,
+        sign=1.0 if drive is None else drive.sign,
+        rows=solver.rows,
+        rotation_limit=solver.rotation_limit,
+        gauges=gauges,
+        frames=solver.frames,
+        slip_limit=solver.slip_limit,
+        sets=specimen.sets,
+        surroundings=surroundings,
+        axis=None if drive is None else drive.axis,
     )
-    return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
 
 
 def joined(scene: Scene) -> tuple[Specimen, Joints]:

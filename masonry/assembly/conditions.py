@@ -16,6 +16,7 @@ from masonry.model.start_velocities import velocities_of
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene
+from masonry.scene.tables.loads_and_supports import Drive
 
 AXES = {"x": 0, "y": 1, "z": 2}
 PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
@@ -25,61 +26,78 @@ def conditions_of(
     scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
 ) -> loads.Conditions:
     """Supports, drive and dead loads on the dofs."""
-    blocks, conditions = specimen.blocks, loads.no_conditions(layout)
-    for k, support in enumerate(scene.support):
-        where = f"support.{k}.on"
-        chosen, faces = select(specimen, joints, support.on, where)
-        axes = tuple(AXES[f] for f in support.fix if f in AXES)
-        hold = Hold(chosen, axes, _rotations(support.fix), faces, f"support.{k}")
-        conditions.held_by[hold.name] = held_dofs(blocks, layout, hold)
-        _add(conditions.supported, conditions.held_by[hold.name])
-    if scene.floor is not None:
-        hold = Hold(specimen.sets[FLOOR], (0, 1, 2), (0, 1, 2), None, FLOOR)
-        conditions.held_by[FLOOR] = held_dofs(blocks, layout, hold)
-        _add(conditions.supported, conditions.held_by[FLOOR])
-    _add(conditions.prescribed, conditions.supported)
+    conditions = loads.no_conditions(layout)
+    _add_supports(scene, specimen, joints, layout, conditions)
     if scene.drive is not None:
-        chosen, faces = select(specimen, joints, scene.drive.on, "drive.on")
-        hold = Hold(chosen, (scene.drive.axis,), (), faces, "drive")
-        driven = conditions.held_by["drive"] = held_dofs(blocks, layout, hold)
-        conditions.driven = loads.drive_dofs(driven, scene.drive.axis)
-        if any((driven[kind] & conditions.supported[kind])[:, scene.drive.axis].any() for kind in KINDS):
-            raise SceneError(f"drive.on = '{scene.drive.on}': a support holds it in the direction of the drive")
-        conditions.support = loads.drive_dofs(conditions.supported, scene.drive.axis)
-        _add(conditions.prescribed, driven)
+        _add_drive(scene.drive, specimen, joints, layout, conditions)
     for k, traction in enumerate(scene.traction):
         where = f"traction.{k}.on"
         _, faces = select(specimen, joints, traction.on, where)
         if faces is None:
             raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
-        push, path = loads.Push(faces, np.array(traction.stress)), traction.path
-        load: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
-        loads.add_traction(blocks, layout, load, push)
-        conditions.each_load[f"traction.{k}"] = load
-        if path is None:
-            loads.add_load(layout, conditions.load, load)
-        else:
-            conditions.varying.append(load)
-    if scene.gravity is not None:
-        density = density_of(blocks, materials)
-        if scene.floor is not None:  # it is where a specimen falls, and weighs nothing: its reaction is what it bears
-            density[specimen.sets[FLOOR]] = 0.0
-        for name, (acceleration, path) in scene.gravity.parts.items():
-            weight: dict[str, np.ndarray | None] = dict.fromkeys(KINDS)
-            loads.add_gravity(layout, weight, density, acceleration)
-            conditions.each_load[name] = weight
-            if path is None:
-                loads.add_load(layout, conditions.load, weight)
-            else:
-                conditions.varying.append(weight)
+        load: loads.Load = dict.fromkeys(KINDS)
+        loads.add_traction(specimen.blocks, layout, load, loads.Push(faces, np.array(traction.stress)))
+        _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
+    _add_weight(scene, specimen, layout, conditions, materials)
     for k, fill in enumerate(scene.fill):
-        conditions.each_load[f"fill.{k}"] = weight_of_fill(
-            *(fill, f"fill.{k}", specimen, joints, layout),
-            *(select(specimen, joints, fill.on, f"fill.{k}.on")[0], -scene.gravity.z if scene.gravity else 0.0),
-        )
-        loads.add_load(layout, conditions.load, conditions.each_load[f"fill.{k}"])
+        chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
+        load = weight_of_fill(fill, f"fill.{k}", specimen, joints, layout, chosen, -gravity.z if gravity else 0.0)
+        _add_load(layout, conditions, f"fill.{k}", load, varies=False)
     _set_moving(scene, specimen, joints, layout, conditions)
     return conditions
+
+
+def _add_supports(
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions
+) -> None:
+    """What supports and the floor hold."""
+    holds = []
+    for k, support in enumerate(scene.support):
+        chosen, faces = select(specimen, joints, support.on, f"support.{k}.on")
+        axes = tuple(AXES[f] for f in support.fix if f in AXES)
+        holds.append(Hold(chosen, axes, _rotations(support.fix), faces, f"support.{k}"))
+    if scene.floor is not None:
+        holds.append(Hold(specimen.sets[FLOOR], (0, 1, 2), (0, 1, 2), None, FLOOR))
+    for hold in holds:
+        conditions.held_by[hold.name] = held_dofs(specimen.blocks, layout, hold)
+        _add(conditions.supported, conditions.held_by[hold.name])
+    _add(conditions.prescribed, conditions.supported)
+
+
+def _add_drive(drive: Drive, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
+    """What the drive moves, and what supports hold against it."""
+    chosen, faces = select(specimen, joints, drive.on, "drive.on")
+    hold = Hold(chosen, (drive.axis,), (), faces, "drive")
+    driven = conditions.held_by["drive"] = held_dofs(specimen.blocks, layout, hold)
+    conditions.driven = loads.drive_dofs(driven, drive.axis)
+    if any((driven[kind] & conditions.supported[kind])[:, drive.axis].any() for kind in KINDS):
+        raise SceneError(f"drive.on = '{drive.on}': a support holds it in the direction of the drive")
+    conditions.support = loads.drive_dofs(conditions.supported, drive.axis)
+    _add(conditions.prescribed, driven)
+
+
+def _add_weight(
+    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, materials: dict[str, Material]
+) -> None:
+    """The weight of the blocks, in parts where gravity varies or turns."""
+    if scene.gravity is None:
+        return
+    density = density_of(specimen.blocks, materials)
+    if scene.floor is not None:  # it is where a specimen falls, and weighs nothing: its reaction is what it bears
+        density[specimen.sets[FLOOR]] = 0.0
+    for name, (acceleration, path) in scene.gravity.parts.items():
+        weight: loads.Load = dict.fromkeys(KINDS)
+        loads.add_gravity(layout, weight, density, acceleration)
+        _add_load(layout, conditions, name, weight, varies=path is not None)
+
+
+def _add_load(layout: Layout, conditions: loads.Conditions, name: str, load: loads.Load, varies: bool) -> None:
+    """A load, among those that vary or those that do not."""
+    conditions.each_load[name] = load
+    if varies:
+        conditions.varying.append(load)
+    else:
+        loads.add_load(layout, conditions.load, load)
 
 
 def density_of(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:

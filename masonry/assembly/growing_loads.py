@@ -8,13 +8,12 @@ from geometry.polyhedra.intersect import holds
 from masonry.assembly.conditions import density_of, select
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout, Material
-from masonry.model.loads import Conditions, Push, add_force, add_gravity, add_traction
+from masonry.model.loads import Conditions, Load, Push, add_force, add_gravity, add_traction
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
 
 EDGE = 1e-6
 """Share of the size of the specimen by which a place may lie outside of a block that holds it."""
-Load = dict[str, np.ndarray | None]
 
 
 def let_grow(

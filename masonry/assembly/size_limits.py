@@ -26,7 +26,7 @@ def require_sane_size(scene: Scene) -> None:
     blocks, volume = blocks_and_volume(spec)
     _require(blocks, BLOCKS, "blocks", _amount_key(spec))
     _require_few_points(scene, blocks, volume)
-    meshed = "tets" in scene.kinematics.values()
+    meshed = any(map(scene.is_meshed, scene.kinematics))
     if meshed and spec.mesh == "fan":
         _require(TETS_PER_FAN * blocks, TETS, "tets", "specimen.mesh")
     elif meshed and spec.mesh_size is not None:

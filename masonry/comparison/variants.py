@@ -114,14 +114,14 @@ def kinematics(assembly: Assembly) -> list[Variant]:
     """The blocks between supports and drive move otherwise; plates that are held or driven whole stay what they are."""
     scene = assembly.scene
     groups = _loose_groups(assembly)
-    found = []
-    for motion, words in MOTIONS.items():
-        sized = scene.specimen.mesh == "fan" or scene.specimen.mesh_size is not None
-        deforms = all(None not in (scene.material[g].young_modulus, scene.material[g].poisson_ratio) for g in groups)
-        possible = motion == "rigid" or (deforms and (motion == "affine" or sized))
-        if possible and any(scene.kinematics_of(g) != motion for g in groups):
-            found.append(Variant("kinematics", words, {f"kinematics.{_quoted(g)}": motion for g in groups}))
-    return found
+    elastic = all(None not in (scene.material[g].young_modulus, scene.material[g].poisson_ratio) for g in groups)
+    sized = scene.specimen.mesh == "fan" or scene.specimen.mesh_size is not None
+    possible = {"rigid": True, "affine": elastic, "tets": elastic and sized}
+    return [
+        Variant("kinematics", words, {f"kinematics.{_quoted(g)}": motion for g in groups})
+        for motion, words in MOTIONS.items()
+        if possible[motion] and any(scene.kinematics_of(g) != motion for g in groups)
+    ]
 
 
 def _loose_groups(assembly: Assembly) -> list[str]:

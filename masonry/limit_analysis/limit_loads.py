@@ -139,9 +139,10 @@ def _live(
 ) -> tuple[np.ndarray, str]:  # fmt: skip
     """(B, 6) the load at a factor of 1, and what it is in words."""
     if limit.pattern != "drive":
-        load, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
-        assert load["rigid"] is not None
-        return _about_axes(load["rigid"], layout), words
+        by_kind, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
+        load = by_kind["rigid"]
+        assert load is not None
+        return _about_axes(load, layout), words
     assert scene.drive is not None and together is not None
     live = np.zeros((len(density), 6))
     blocks = together[:, scene.drive.axis]

@@ -13,7 +13,7 @@ from masonry.laws.state import ContactState, JointProperties, fresh
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
-from masonry.model.stable_step import BETWEEN
+from masonry.model.stable_step import BETWEEN, Side
 from masonry.simd.rows import BEHIND, aligned
 
 
@@ -49,93 +49,102 @@ class Bodies(NamedTuple):
     tets: Any
 
 
-def number_sides(sides: tuple, first: dict[str, int], rows: dict[str, int]) -> tuple:
-    """Rows of u of both sides (C, 2), and per kind (start, code, arm) of the sides in the order of their bodies.
+class SideRows(NamedTuple):
+    """Where the sides of contacts stand among the rows of u: nodes, points of rigid and affine blocks, points between.
 
-    Under "between": nodes, shape functions and code of the sides whose points lie between tet nodes, in order of nodes.
+    total    rows of u
+    first    by kind, and "between", the first row of its points
+    sides    (C, 2) rows of both sides
+    ordered  by kind, (start, code, arm) of the sides in the order of their bodies; under "between" nodes, shape
+             functions and code of the sides whose points lie between tet nodes, in order of nodes
     """
-    count = len(sides[0].kind)
-    kind = np.concatenate([s.form for s in sides])
-    row = np.concatenate([s.row for s in sides])
-    arm = np.concatenate([s.arm for s in sides])
-    axes = np.concatenate([s.axes for s in sides])
-    code = np.concatenate([2 * np.arange(count), 2 * np.arange(count) + 1])
-    place = row.copy()
-    ordered = {}
+
+    total: int
+    first: dict[str, int]
+    sides: np.ndarray
+    ordered: dict[str, tuple]
+
+
+def rows_of_sides(layout: Layout, sides: tuple[Side, Side]) -> SideRows:
+    """The rows of both sides of the contacts."""
+    kind, row, arm, axes = (
+        np.concatenate([getattr(s, name) for s in sides]) for name in ("form", "row", "arm", "axes")
+    )
+    code = np.concatenate([2 * np.arange(len(sides[0].kind)), 2 * np.arange(len(sides[0].kind)) + 1])
+    rigid, affine, _, between = (int(points) for points in np.bincount(kind, minlength=BETWEEN + 1))
+    nodes = layout.rows("tets")
+    first = {"tets": 0, "rigid": nodes, "affine": nodes + rigid, "between": nodes + rigid + affine}
+    place, ordered = row.copy(), {}
     for k, name in enumerate(KINDS):
         which = np.flatnonzero(kind == k)
         which = which[np.lexsort((code[which], row[which]))]
-        start = np.searchsorted(row[which], np.arange(rows[name] + 1))
-        arms = KIND[name].local_arms(arm[which], axes[which])
-        ordered[name] = start.astype(np.uint32), code[which].astype(np.uint32), np.ascontiguousarray(arms)
+        start = np.searchsorted(row[which], np.arange(layout.rows(name) + 1)).astype(np.uint32)
+        arms = np.ascontiguousarray(KIND[name].local_arms(arm[which], axes[which]))
+        ordered[name] = start, code[which].astype(np.uint32), arms
         if not KIND[name].nodal:
             place[which] = first[name] + np.arange(len(which))
-    between = np.flatnonzero(kind == BETWEEN)
-    if len(between):
-        corner, fraction = (
-            np.concatenate([getattr(s, name) for s in sides])[between] for name in ("corner", "fraction")
-        )
+    which = np.flatnonzero(kind == BETWEEN)
+    if len(which):
+        corner, fraction = (np.concatenate([getattr(s, name) for s in sides])[which] for name in ("corner", "fraction"))
         order = np.argsort(corner[:, 0], kind="stable")
-        place[between[order]] = first["between"] + np.arange(len(between))
-        ordered["between"] = corner[order], fraction[order], code[between[order]]
-    return aligned(place.reshape(2, count).T.astype(np.uint32)), ordered
+        place[which[order]] = first["between"] + np.arange(len(which))
+        ordered["between"] = corner[order], fraction[order], code[which[order]]
+    both = aligned(place.reshape(2, -1).T.astype(np.uint32))
+    return SideRows(first["between"] + between, first, both, ordered)
 
 
 def bodies_of(
-    layout: Layout,
-    conditions: Conditions,
-    masses: dict,
-    dt: float,
-    lame: np.ndarray,
-    ordered: dict,
-    first: dict,
-    guided: bool,
+    layout: Layout, conditions: Conditions, masses: dict, dt: float, lame: np.ndarray, side_rows: SideRows, guided: bool
 ) -> Bodies:
     """The blocks by how they move; guided bodies have room for their expected velocities."""
-    common = {}
-    for kind in KINDS:
-        held, load = conditions.prescribed[kind], conditions.load[kind]
-        varies = any(varying[kind] is not None for varying in conditions.varying)
-        zeros = [in_rows(np.zeros(held.shape)) for _ in range(3)]
-        dt_over_mass = in_rows(np.where(held, 0.0, dt / np.where(masses[kind] > 0, masses[kind], np.inf)))
-        start, code, _ = ordered[kind]
-        common[kind] = {
-            **dict(zip(("v", "contact", "hold"), zeros, strict=True)),
-            **{
-                "dt_over_mass": dt_over_mass,
-                "start": start,
-                "code": code,
-                "load": in_rows(np.zeros(held.shape) if load is None else load) if varies or load is not None else None,
-                "change": in_rows(np.zeros(held.shape)) if varies else None,
-                "guess": in_rows(np.zeros(held.shape)) if guided else None,
-                "work": np.zeros((len(layout.members[kind]), 3)),
-            },
-        }
-    which = layout.members
-    axes = {
-        kind: None if np.array_equal(layout.axes[b], np.broadcast_to(np.eye(3), (len(b), 3, 3))) else layout.axes[b]
-        for kind, b in which.items()
-    }
+    members, first, arms = layout.members, side_rows.first, {kind: side_rows.ordered[kind][2] for kind in KINDS}
+    common = {kind: _common(kind, layout, conditions, dt, masses[kind], side_rows, guided) for kind in KINDS}
+    axes = {kind: _axes(layout.axes[blocks]) for kind, blocks in members.items()}
     rigid = affine = tets = None
-    if len(which["rigid"]):
-        q = in_rows(np.zeros((len(which["rigid"]), 6)))
-        rigid = Rigid(
-            q=q, arm=ordered["rigid"][2], first_point=np.uint32(first["rigid"]), axes=axes["rigid"], **common["rigid"]
-        )
-    if len(which["affine"]):
-        b = which["affine"]
+    if len(b := members["rigid"]):
+        q, point = in_rows(np.zeros((len(b), 6))), np.uint32(first["rigid"])
+        rigid = Rigid(q=q, arm=arms["rigid"], first_point=point, axes=axes["rigid"], **common["rigid"])
+    if len(b := members["affine"]):
+        q, point = in_rows(np.zeros((len(b), 12))), np.uint32(first["affine"])
+        stiffness = lame[b] * layout.volume[b, None]
         affine = Affine(
-            q=in_rows(np.zeros((len(b), 12))),
-            arm=ordered["affine"][2],
-            stiffness=lame[b] * layout.volume[b, None],
-            first_point=np.uint32(first["affine"]),
-            axes=axes["affine"],
-            **common["affine"],
+            q=q, arm=arms["affine"], stiffness=stiffness, first_point=point, axes=axes["affine"], **common["affine"]
         )
-    if layout.mesh is not None and len(which["tets"]):
-        between = _between(layout, layout.mesh, ordered["between"], first["between"]) if "between" in ordered else {}
+    if layout.mesh is not None and len(members["tets"]):
+        sides = side_rows.ordered.get("between")
+        between = {} if sides is None else _between(layout, layout.mesh, sides, first["between"])
         tets = _tets(layout, layout.mesh, lame, {**common["tets"], **between})
     return Bodies(rigid, affine, tets)
+
+
+def _common(
+    kind: str, layout: Layout, conditions: Conditions, dt: float, masses: np.ndarray, side_rows: SideRows, guided: bool
+) -> dict:
+    """Fields that bodies of every kind have; masses (rows, dofs) kg, kg m2."""
+    prescribed, load = conditions.prescribed[kind], conditions.load[kind]
+    varies = any(varying[kind] is not None for varying in conditions.varying)
+    start, code, _ = side_rows.ordered[kind]
+
+    def room() -> np.ndarray:
+        return in_rows(np.zeros(prescribed.shape))
+
+    return {
+        "v": room(),
+        "contact": room(),
+        "hold": room(),
+        "dt_over_mass": in_rows(np.where(prescribed, 0.0, dt / np.where(masses > 0, masses, np.inf))),
+        "start": start,
+        "code": code,
+        "load": in_rows(load) if load is not None else room() if varies else None,
+        "change": room() if varies else None,
+        "guess": room() if guided else None,
+        "work": np.zeros((len(layout.members[kind]), 3)),
+    }
+
+
+def _axes(axes: np.ndarray) -> np.ndarray | None:
+    """(n, 3, 3) axes of blocks; None where all are x, y, z."""
+    return None if np.array_equal(axes, np.broadcast_to(np.eye(3), axes.shape)) else axes
 
 
 def _tets(layout: Layout, mesh: TetMesh, lame: np.ndarray, common: dict) -> Tets:

@@ -68,12 +68,16 @@ class Layout:
     @cached_property
     def deforms(self) -> np.ndarray:
         """(B,) which blocks are not rigid."""
-        return np.asarray(self.kind != KINDS.index("rigid"))
+        return ~self.are("rigid")
 
     @cached_property
     def meshed(self) -> np.ndarray:
         """(B,) which blocks are made of tets."""
-        return np.asarray(self.kind == KINDS.index("tets"))
+        return self.are("tets")
+
+    def are(self, kind: str) -> np.ndarray:
+        """(B,) which blocks are of a kind."""
+        return np.asarray(self.kind == KINDS.index(kind))
 
     def of_kind(self, chosen: np.ndarray, kind: str) -> np.ndarray:
         """Those of some blocks (n,) that are of a kind."""

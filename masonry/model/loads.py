@@ -10,6 +10,9 @@ from geometry.polyhedra import measures
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, node_masses
 
+Load = dict[str, np.ndarray | None]
+"""Forces on the dofs of each kind (rows, dofs); None where there are none."""
+
 
 @dataclass(frozen=True)
 class Push:
@@ -31,13 +34,13 @@ class Conditions:
     """
 
     prescribed: dict[str, np.ndarray]
-    load: dict[str, np.ndarray | None]
+    load: Load
     driven: dict[str, np.ndarray | None] = field(default_factory=dict)
     support: dict[str, np.ndarray | None] = field(default_factory=dict)
     supported: dict[str, np.ndarray] = field(default_factory=dict)
-    varying: list[dict[str, np.ndarray | None]] = field(default_factory=list)
+    varying: list[Load] = field(default_factory=list)
     held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
-    each_load: dict[str, dict[str, np.ndarray | None]] = field(default_factory=dict)
+    each_load: dict[str, Load] = field(default_factory=dict)
     motion: dict[str, np.ndarray] | None = None
     spin: np.ndarray | None = None
 

@@ -1,7 +1,7 @@
 """Blocks + properties -> the flat arrays that the step runs on. Owns dtype (float64) and units (SI)."""
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from masonry.model.body_arrays import (
     group_state,
     in_rows,
     initial_state,
-    number_sides,
+    rows_of_sides,
 )
 from masonry.model.contact_groups import contact_groups
 from masonry.model.damping import Damping, damping_in_steps, expects_motion, local_damping
@@ -49,6 +49,14 @@ class Stepping:
     time_step: str | float = "gershgorin"
     step_fraction: float = 0.9
     damping: Damping = 0.8
+
+
+class Stiffness(NamedTuple):
+    """Of the contacts, (C,) N/m times their areas, dilation included, and Lame constants of the blocks (B, 2), Pa."""
+
+    normal: np.ndarray
+    shear: np.ndarray
+    lame: np.ndarray
 
 
 @dataclass
@@ -141,47 +149,17 @@ def build(
     meetings  how blocks meet in large displacement; None in small
     """
     names, group = contact_groups(blocks, joints)
-    joint_properties = [laws[name][1] for name in names]
-    sides = _side(layout, joints, "a"), _side(layout, joints, "b")
-    length = stable_step.lengths(
-        layout, np.concatenate([joints.block_a, joints.block_b]), np.concatenate([s.arm for s in sides])
-    )
-    sides = _with_length(sides[0], length[joints.block_a]), _with_length(sides[1], length[joints.block_b])
-    dilated = (
-        np.array([i.normal_stiffness * (1.0 + (i.tan_dilation or 0.0)) for i in joint_properties])[group] * joints.area
-    )
-    shear = np.array([i.shear_stiffness for i in joint_properties])[group] * joints.area
-    lame = _lame(blocks, layout, materials)
-    sums = {kind: np.zeros_like(conditions.prescribed[kind], dtype=float) for kind in KINDS}
-    if meetings is None:
-        stable_step.contact_row_sums(sums, sides, joints.normal, dilated, shear)
-        stable_step.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
-        stable_step.tet_row_sums(sums["tets"], layout, lame)
-    else:
-        add_row_sums(sums, blocks, layout, sides, length, np.maximum(dilated, shear), meetings.stiffest, lame)
-    stable_step.unscale(sums, layout, length)
-
-    density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-    real = real_masses(layout, density)
-    if meetings is not None and layout.mesh is None:
-        stepping = replace(stepping, step_fraction=stepping.step_fraction * meetings.step_fraction)
-    elif meetings is not None and meetings.rules.dashpot.any():
-        rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
-        stable_step.unscale(rates, layout, length)
-        sums = with_dashpots(sums, rates, real, local_damping(stepping.damping))
-    masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, dilated)
-    free = {kind: ~held for kind, held in conditions.prescribed.items()}
-    rows, count = {kind: layout.rows(kind) for kind in KINDS}, np.zeros(stable_step.BETWEEN + 1, dtype=int)
-    np.add.at(count, np.concatenate([s.form for s in sides]), 1)
-    rigid, affine, _, between = (int(points) for points in count)
-    first = {"tets": 0, "rigid": rows["tets"], "affine": rows["tets"] + rigid}
-    first["between"] = first["affine"] + affine
-    side_rows, ordered = number_sides(sides, first, rows)
-    u = in_rows(np.zeros((first["between"] + between, 3)))
-    bodies = bodies_of(layout, conditions, masses, dt, lame, ordered, first, expects_motion(stepping.damping))
-    state = initial_state(group, joint_properties)
-    bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
-    states = tuple(group_state(state, i) for i in joint_properties)
+    sides, length = _sides(layout, joints)
+    stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
+    real = real_masses(layout, np.array([materials[g].density for g in blocks.groups])[blocks.group])
+    sums = _row_sums(blocks, joints, layout, sides, length, stiffness, meetings)
+    if meetings is not None:
+        stepping, sums = _bounded(blocks, layout, length, sums, real, stepping, meetings)
+    masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, stiffness.normal)
+    side_rows = rows_of_sides(layout, sides)
+    u = in_rows(np.zeros((side_rows.total, 3)))
+    groups, state = _groups(names, group, laws)
+    free = {kind: ~prescribed for kind, prescribed in conditions.prescribed.items()}
     model = Model(
         blocks=blocks,
         joints=joints,
@@ -189,11 +167,11 @@ def build(
         group_names=names,
         group=group,
         state=state,
-        groups=Groups(tuple(laws[n][0] for n in names), tuple(joint_properties), states, bounds),
+        groups=groups,
         contacts=Contacts(
-            side_rows, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
+            side_rows.sides, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
         ),
-        bodies=bodies,
+        bodies=bodies_of(layout, conditions, masses, dt, stiffness.lame, side_rows, expects_motion(stepping.damping)),
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
         masses={kind: np.where(conditions.prescribed[kind], 0.0, masses[kind]) for kind in KINDS},
@@ -210,6 +188,71 @@ def build(
         motion=conditions.motion,
     )
     return model if meetings is None else enlarged(model, meetings, masses)
+
+
+def _sides(layout: Layout, joints: Joints) -> tuple[tuple[stable_step.Side, stable_step.Side], np.ndarray]:
+    """Both sides of the contacts, and the (B, 3) lengths of the blocks, m."""
+    a, b = _side(layout, joints, "a"), _side(layout, joints, "b")
+    block, arm = np.concatenate([joints.block_a, joints.block_b]), np.concatenate([a.arm, b.arm])
+    length = stable_step.lengths(layout, block, arm)
+    return (replace(a, length=length[joints.block_a]), replace(b, length=length[joints.block_b])), length
+
+
+def _stiffness(properties: list[JointProperties], group: np.ndarray, joints: Joints, lame: np.ndarray) -> Stiffness:
+    """Of the contacts, from the properties of their groups, and of the blocks."""
+    normal = np.array([joint.normal_stiffness * (1.0 + (joint.tan_dilation or 0.0)) for joint in properties])
+    shear = np.array([joint.shear_stiffness for joint in properties])
+    return Stiffness(normal[group] * joints.area, shear[group] * joints.area, lame)
+
+
+def _row_sums(
+    blocks: Blocks,
+    joints: Joints,
+    layout: Layout,
+    sides: tuple[stable_step.Side, stable_step.Side],
+    length: np.ndarray,
+    stiffness: Stiffness,
+    meetings: Meetings | None,
+) -> dict[str, np.ndarray]:
+    """By kind, (rows, dofs) the sums of |K| that bound the time step."""
+    normal, shear, lame = stiffness
+    sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
+    if meetings is None:
+        stable_step.contact_row_sums(sums, sides, joints.normal, normal, shear)
+        stable_step.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+        stable_step.tet_row_sums(sums["tets"], layout, lame)
+    else:
+        add_row_sums(sums, blocks, layout, sides, length, np.maximum(normal, shear), meetings.stiffest, lame)
+    stable_step.unscale(sums, layout, length)
+    return sums
+
+
+def _bounded(
+    blocks: Blocks,
+    layout: Layout,
+    length: np.ndarray,
+    sums: dict[str, np.ndarray],
+    real: dict[str, np.ndarray],
+    stepping: Stepping,
+    meetings: Meetings,
+) -> tuple[Stepping, dict[str, np.ndarray]]:
+    """Stepping and sums where blocks meet: shorter steps, or for tets sums with the dashpots of their faces."""
+    if layout.mesh is None:
+        return replace(stepping, step_fraction=stepping.step_fraction * meetings.step_fraction), sums
+    if not meetings.rules.dashpot.any():
+        return stepping, sums
+    rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
+    stable_step.unscale(rates, layout, length)
+    return stepping, with_dashpots(sums, rates, real, local_damping(stepping.damping))
+
+
+def _groups(names: tuple[str, ...], group: np.ndarray, laws: dict[str, tuple]) -> tuple[Groups, ContactState]:
+    """The contact groups with their laws, and the state of the contacts, sorted by group (C,), that they see."""
+    properties = tuple(laws[name][1] for name in names)
+    state = initial_state(group, list(properties))
+    bounds = np.searchsorted(group, np.arange(len(names) + 1)).astype(np.uint32)
+    states = tuple(group_state(state, joint) for joint in properties)
+    return Groups(tuple(laws[name][0] for name in names), properties, states, bounds), state
 
 
 def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) -> Model:
@@ -270,10 +313,6 @@ def _side(layout: Layout, joints: Joints, which: str) -> stable_step.Side:
     axes = layout.axes[block]
     arm = np.einsum("cji,cj->ci", axes, joints.point - layout.centroid[block])
     return stable_step.Side(kind, row, arm, axes, np.ones((len(block), 3)), corner, fraction)
-
-
-def _with_length(side: stable_step.Side, length: np.ndarray) -> stable_step.Side:
-    return replace(side, length=length)
 
 
 def _lame(blocks: Blocks, layout: Layout, materials: dict[str, Material]) -> np.ndarray:

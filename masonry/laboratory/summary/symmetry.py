@@ -53,7 +53,8 @@ def is_loaded_alike(assembly: Assembly, axis: str) -> bool:
     conditions = _as_rigid(assembly)
     sign = np.where(np.arange(3) == k, -1.0, 1.0)
     for load in conditions.each_load.values():
-        force = np.zeros((blocks.count, 6)) if load["rigid"] is None else load["rigid"]
+        loaded = load["rigid"]
+        force = np.zeros((blocks.count, 6)) if loaded is None else loaded
         if np.abs(force[image] * np.concatenate([sign, -sign]) - force).max() > SAME * np.abs(force).max():
             return False
     holds = np.asarray(conditions.prescribed["rigid"].any(axis=1))
