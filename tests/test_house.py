@@ -15,8 +15,8 @@ LIMITS = {
     "attributes of the loading that has most": 12,
     "class names that stand more than once": 4,
     "file names that stand more than once in masonry": 0,
-    "lines with `found`, tests included": 405,
-    "lines that name something by a participle alone": 212,
+    "lines with `found`, tests included": 380,
+    "lines that name something by a participle alone": 205,
 }
 SOURCE = counts.Source(counts.ROOT)
 

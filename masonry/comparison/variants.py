@@ -139,7 +139,7 @@ def _loose_groups(assembly: Assembly) -> list[str]:
 def plates(assembly: Assembly) -> list[Variant]:
     """A rigid plate or beam that may turn is held against it, and the other way round."""
     scene, specimen = assembly.scene, assembly.specimen
-    found = []
+    variants = []
     for k, support in enumerate(scene.support):
         members = specimen.sets.get(support.on, np.zeros(0, dtype=np.int64))
         groups = {specimen.blocks.groups[g] for g in specimen.blocks.group[members]}
@@ -151,31 +151,31 @@ def plates(assembly: Assembly) -> list[Variant]:
         straight = [word for word in support.fix if not word.startswith("rotation")]
         rotates = len(straight) == len(support.fix)
         name = f"{support.on} {'upright' if rotates else 'free to turn'}"
-        found.append(Variant("plates", name, {f"support.{k}.fix": [*straight, "rotation"] if rotates else straight}))
-    return found
+        variants.append(Variant("plates", name, {f"support.{k}.fix": [*straight, "rotation"] if rotates else straight}))
+    return variants
 
 
 def cells(assembly: Assembly) -> list[Variant]:
     """Other seeds of random cells, or as many random cells in place of a grid; other seeds of scattered properties."""
     scene, spec = assembly.scene, assembly.scene.specimen
-    found = []
+    variants = []
     for key, part in (("specimen", spec), ("specimen.mortar", getattr(spec, "mortar", None))):
         given, divisions = getattr(part, "cells", None), getattr(part, "divisions", None)
         if given is not None and given.sites is None:
             seeds = (given.seed + 1, given.seed + 2)
-            found += [Variant("cells", f"cells of seed {s}", {f"{key}.cells.seed": s}) for s in seeds]
+            variants += [Variant("cells", f"cells of seed {s}", {f"{key}.cells.seed": s}) for s in seeds]
         elif given is None and spec.kind != "file" and _is_plane_grid(divisions):
             total = _blocks_of(assembly, "mortar" if key.endswith("mortar") else "units")
             cut = {f"{key}.cells.total": total}
-            found += [
+            variants += [
                 Variant("cells", f"{total} random cells, seed {s}", {**cut, f"{key}.cells.seed": s})
                 for s in (1, 2)
                 if total > 1
             ]
     if scene.scatter is not None:
         seeds = (scene.scatter.seed + 1, scene.scatter.seed + 2)
-        found += [Variant("cells", f"scatter of seed {s}", {"scatter.seed": s}) for s in seeds]
-    return found
+        variants += [Variant("cells", f"scatter of seed {s}", {"scatter.seed": s}) for s in seeds]
+    return variants
 
 
 def patches(assembly: Assembly) -> list[Variant]:
@@ -223,13 +223,13 @@ def variants(assembly: Assembly, only: Sequence[str] = (), quick: bool = False) 
     for kind in only:
         if kind not in KINDS:
             raise SceneError(f"--only {kind[:60]}: no such kind of variant; {nearest(kind[:60], KINDS)}")
-    found = [BASE]
+    rows = [BASE]
     for kind, make in KINDS.items():
         if (only and kind not in only) or (quick and kind in SLOW and kind not in only):
             continue
         made = [variant for variant in make(assembly) if _is_allowed(assembly.scene, variant)]
-        found += made[:1] if quick else made
-    return found
+        rows += made[:1] if quick else made
+    return rows
 
 
 def _is_allowed(scene: Scene, variant: Variant) -> bool:

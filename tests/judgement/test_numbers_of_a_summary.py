@@ -73,34 +73,34 @@ def summary(
 
 
 def test_rows_that_close_have_no_doubtful_number():
-    found = summary()
+    numbers = summary()
     zero = ("energy_imbalance", "dissipation_mismatch", "reaction_mismatch_max", "kinetic_over_internal_max")
     zero += ("damping_over_external", "released_over_dissipated", "force_balance", "motion_at_end")
-    assert [found[key] for key in zero] == [0.0] * len(zero)
-    assert found["peak_stress_pa"] == pytest.approx(8e5) and found["final_stress_pa"] == 5e5
-    assert found["work_of_drive_j"] == pytest.approx(10.0) and found["work_of_loads_j"] == {"traction.0": 0.5}
-    assert found["work_of_loads_after_settling_j"] == {"traction.0": 0.0}
+    assert [numbers[key] for key in zero] == [0.0] * len(zero)
+    assert numbers["peak_stress_pa"] == pytest.approx(8e5) and numbers["final_stress_pa"] == 5e5
+    assert numbers["work_of_drive_j"] == pytest.approx(10.0) and numbers["work_of_loads_j"] == {"traction.0": 0.5}
+    assert numbers["work_of_loads_after_settling_j"] == {"traction.0": 0.0}
 
 
 @pytest.mark.parametrize(("row", "counts"), [(2, False), (3, False), (4, False), (5, True), (7, True)])
 def test_ends_and_motion_count_from_the_end_of_the_ramp_on(row, counts):
     """The ramp ends with step 4300."""
-    found = summary(support_stress={row: CLOSED["stress"][row] + 4e4}, kinetic={row: 0.1})
-    assert found["reaction_mismatch_max"] == pytest.approx(4e4 / 8e5 * counts)
-    assert found["kinetic_over_internal_max"] == pytest.approx(0.1 / CLOSED["contact_work"][row] * counts)
+    numbers = summary(support_stress={row: CLOSED["stress"][row] + 4e4}, kinetic={row: 0.1})
+    assert numbers["reaction_mismatch_max"] == pytest.approx(4e4 / 8e5 * counts)
+    assert numbers["kinetic_over_internal_max"] == pytest.approx(0.1 / CLOSED["contact_work"][row] * counts)
 
 
 @pytest.mark.parametrize(("row", "counts"), [(3, False), (4, True), (5, True)])
 def test_they_count_from_the_peak_on_where_it_comes_within_the_ramp(row, counts):
-    found = summary(stress={4: 9e5}, support_stress={4: 9e5, row: 1e5})
-    assert (found["reaction_mismatch_max"] > 0.1) == counts
+    numbers = summary(stress={4: 9e5}, support_stress={4: 9e5, row: 1e5})
+    assert (numbers["reaction_mismatch_max"] > 0.1) == counts
 
 
 @pytest.mark.parametrize(("row", "counts"), [(3, False), (4, False), (5, True)])
 def test_a_drive_to_an_accuracy_counts_from_its_first_damage_on(row, counts):
     assembly = assemble(load("couplet"))
-    found = summary(assembly, support_stress={row: 1e5}, kinetic={row: 0.1})
-    assert (found["reaction_mismatch_max"] > 0.1) == (found["kinetic_over_internal_max"] > 0.01) == counts
+    numbers = summary(assembly, support_stress={row: 1e5}, kinetic={row: 0.1})
+    assert (numbers["reaction_mismatch_max"] > 0.1) == (numbers["kinetic_over_internal_max"] > 0.01) == counts
 
 
 @pytest.mark.parametrize(("row", "counts"), [(4, False), (5, False), (6, False), (7, True)])
@@ -114,25 +114,25 @@ def test_the_end_of_a_drive_counts_where_it_waits_there_and_all_stayed_elastic(r
 @pytest.mark.parametrize(("row", "counts"), [(4, True), (5, False), (6, False), (7, True)])
 def test_rows_within_a_sudden_crack_do_not_count(row, counts):
     event = Event(first=4200, last=4700, released=0.0, contact=-1)
-    found = summary(couplet(**{"drive.ramp": 0.0}), (event,), stress={4: 8e5}, support_stress={4: 8e5, row: 1e5})
-    assert (found["reaction_mismatch_max"] > 0.1) == counts
+    numbers = summary(couplet(**{"drive.ramp": 0.0}), (event,), stress={4: 8e5}, support_stress={4: 8e5, row: 1e5})
+    assert (numbers["reaction_mismatch_max"] > 0.1) == counts
 
 
 def test_damping_is_what_was_taken_since_the_settling_over_the_work_since_then():
-    found = summary(damping={k: 0.3 for k in (1, 2, 3, 4, 5, 6)} | {7: 0.5}, kinetic={7: 0.05})
-    assert found["damping_over_external"] == pytest.approx((0.2 + 0.05) / 10.0)
+    numbers = summary(damping={k: 0.3 for k in (1, 2, 3, 4, 5, 6)} | {7: 0.5}, kinetic={7: 0.05})
+    assert numbers["damping_over_external"] == pytest.approx((0.2 + 0.05) / 10.0)
 
 
 @pytest.mark.parametrize(("released", "told"), [(0.99, False), (1.01, True)])
 def test_a_sudden_crack_is_told_from_a_thousandth_of_all_energy_lost_on(released, told):
     """Ten J by cracks and friction, and one by damping."""
     event = Event(first=4200, last=4400, released=released * 0.011, contact=1)
-    found = summary(None, (event,), damping={7: 1.0})
-    assert bool(found["sudden_cracks"]) == told
-    assert found["released_over_dissipated"] == pytest.approx(released * 1e-3 * told)
-    assert found["damping_over_external"] == pytest.approx((1.0 - released * 0.011 * told) / 10.0)
+    numbers = summary(None, (event,), damping={7: 1.0})
+    assert bool(numbers["sudden_cracks"]) == told
+    assert numbers["released_over_dissipated"] == pytest.approx(released * 1e-3 * told)
+    assert numbers["damping_over_external"] == pytest.approx((1.0 - released * 0.011 * told) / 10.0)
     if told:
-        assert found["sudden_cracks"][0]["displacement_m"] == 4e-4
+        assert numbers["sudden_cracks"][0]["displacement_m"] == 4e-4
 
 
 @pytest.mark.parametrize(
@@ -195,6 +195,6 @@ def test_blocks_that_move_by_a_twentieth_of_the_fastest_belong_to_the_mechanism(
         mechanism=np.array([0.0505, 0.0495, 1.0]),
         branch=None,
     )
-    found = outcome.collapse_load({}, sets)
-    assert (found["moving"], found["first"], found["sets"]) == (2, 2, ["all", "top"])
-    assert (found["borne"], found["falls"], found["trials"], found["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)
+    numbers = outcome.collapse_load({}, sets)
+    assert (numbers["moving"], numbers["first"], numbers["sets"]) == (2, 2, ["all", "top"])
+    assert (numbers["borne"], numbers["falls"], numbers["trials"], numbers["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)
