@@ -96,8 +96,11 @@ def plot_results(words: argparse.Namespace) -> int:
 
 def doctor(words: argparse.Namespace) -> int:
     """`masonry doctor`: 0 if all is fine, 1 if something is missing or wrong."""
-    from masonry.cli.doctor import diagnose
+    from masonry.cli.doctor import diagnose, warm
 
+    if words.warm:
+        warm(lambda line: print(line, flush=True))
+        return OK
     return OK if diagnose(words.quick, lambda line: print(line, flush=True)) else 1
 
 

@@ -6,6 +6,7 @@ import shutil
 import textwrap
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from masonry import __version__
 from masonry.cli.installed import COMPUTING, Finding, cached_code, module, others, processor, threading_layer
@@ -15,6 +16,12 @@ LEAST_FREE = 200e6
 """Bytes of free disk under which a run may not find room for its results."""
 SELF_TEST = "verification.self_test"
 """Stands on a floor above this one: known by name alone, as the commands of other floors."""
+USUAL: dict[str, dict[str, Any]] = {
+    **{name: {} for name in ("couplet", "wallette-mode-1", "column-pushed", "wall-tilted", "shear-wall")},
+    **{name: {} for name in ("block-rocking", "couplet-slid-off")},
+    "couplet of tets": {"kinematics": "tets"},
+}
+"""Scenes whose steps have the parts of most others, with what is set anew in them; the first word names the scene."""
 MARGIN = max(map(len, ("optional packages", "tension-exponential"))) + 2
 
 
@@ -67,6 +74,19 @@ def self_tested(say: Callable[[str], object]) -> bool:
         for number, words in enumerate(lines):
             say(_line(name if number == 0 else "", f"{'OK' if good else 'FAILED'}: {words}"))
     return fine
+
+
+def warm(say: Callable[[str], None]) -> None:
+    """Have the steps of usual scenes compiled, as far as they are not yet; says each as it is there."""
+    from masonry.assembly.assemble import assemble
+    from masonry.runtime.progress import ProgressLines
+    from masonry.scene import load
+    from masonry.timeloop.compiling import prepare
+
+    lines = ProgressLines(USUAL, say)
+    for name, settings in USUAL.items():
+        seconds = prepare(assemble(load(name.partition(" ")[0], settings)).model, 1, None).wall
+        lines.ended(name, "there", seconds)
 
 
 def _not_tested(say: Callable[[str], object]) -> bool:

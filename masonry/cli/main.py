@@ -81,6 +81,11 @@ def parser() -> Parser:
         added.add_parser(name, help=words, add_help=False)
     doctor = added.add_parser("doctor", help="check whether this machine has what a run needs, and computes correctly")
     doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
+    doctor.add_argument(
+        "--warm",
+        action="store_true",
+        help="compile what usual scenes need, so that no run waits for it",
+    )
     doctor.set_defaults(action=commands.doctor)
     return main
 

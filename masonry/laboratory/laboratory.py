@@ -26,6 +26,7 @@ from masonry.runtime.processors import Seconds
 from masonry.scene import Scene, to_toml
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
+from masonry.timeloop.compiling import prepare
 from masonry.timeloop.recording import Outcome
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def run(
     assembly = assemble(scene)
     compiling, settling = Seconds(), Seconds()
     if scene.has_dead_loads and scene.settle is None:
-        compiling = timeloop.prepare(assembly.model, threads, progress)
+        compiling = prepare(assembly.model, threads, progress)
         begun = Seconds.now()
         assembly = settled(
             assembly, threads, progress, checkpointer.asked if checkpointer is not None else lambda: False

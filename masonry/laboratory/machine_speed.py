@@ -3,15 +3,11 @@
 All costs of `cost.py` were measured on one machine, whose ratio is 1; one that takes twice as long has 2.
 """
 
-import contextlib
-import json
 import time
-from pathlib import Path
 
 import numpy as np
 
-from masonry.jit.compiler import MARKER, OURS, cache_root
-from masonry.runtime.processors import compiled_for
+from masonry.timeloop.machine_record import read_record, write_record
 
 MACHINE = {"kernel": 2.16e-3, "point": 8.7}
 """Of that machine, an AMD EPYC with AVX-512: seconds of processor of the kernel, and nanoseconds that a step of the
@@ -19,27 +15,19 @@ doctor's wall takes per contact point."""
 ROUNDS, SIZE = 7, 2048
 SANE = (0.1, 30.0)
 """A ratio beyond these was not measured on a machine that does nothing else."""
+RECORD, RATIO = "speed", "ratio"
 
 
 def ratio() -> float:
     """Time of a step here over that on the machine of the costs: as the doctor found, else by the kernel."""
-    try:
-        speed = json.loads(_file().read_text(encoding="utf-8"))
-        value, processor = float(speed["ratio"]), speed["processor"]
-    except (OSError, ValueError, TypeError, KeyError):
-        return _sane(kernel_seconds() / MACHINE["kernel"])
-    return _sane(value if processor == compiled_for() else kernel_seconds() / MACHINE["kernel"])
+    value = read_record(RECORD).get(RATIO)
+    value = kernel_seconds() / MACHINE["kernel"] if value is None else value
+    return min(max(value, SANE[0]), SANE[1])
 
 
 def keep(nanoseconds: float) -> None:
-    """What a step of the doctor's wall takes per contact point, for `ratio`; nothing where it cannot be written."""
-    file = _file()
-    with contextlib.suppress(OSError):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        (file.parent / MARKER).write_bytes(OURS)
-        file.write_text(
-            json.dumps({"ratio": nanoseconds / MACHINE["point"], "processor": compiled_for()}), encoding="utf-8"
-        )
+    """What a step of the doctor's wall takes per contact point, for `ratio`."""
+    write_record(RECORD, {RATIO: nanoseconds / MACHINE["point"]})
 
 
 def kernel_seconds() -> float:
@@ -55,11 +43,3 @@ def kernel_seconds() -> float:
             sum(i * i for i in range(100))
         rounds.append(time.process_time() - begun)
     return min(rounds)
-
-
-def _sane(value: float) -> float:
-    return min(max(value, SANE[0]), SANE[1])
-
-
-def _file() -> Path:
-    return cache_root() / "machine" / "speed.json"

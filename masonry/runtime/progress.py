@@ -154,13 +154,15 @@ class Progress:
             self._say("  ".join([self.label, note] if self.label else [note]))
 
     @contextlib.contextmanager
-    def waiting(self, note: str) -> Iterator[None]:
-        """While something is done that cannot say how far it is: the note, and how long it has taken so far."""
+    def waiting(self, note: str, last: float | None = None) -> Iterator[None]:
+        """While something is done that cannot say how far it is: the note, and how long it has taken so far; of how
+        long (s) it took last time, where that is known."""
+        of = "" if last is None else f" of about {duration(last)}"
         over, begun = threading.Event(), self._clock()
 
         def tick() -> None:
             while not over.wait(TICK_SECONDS):
-                self.update(0, f"{note}: {self._clock() - begun:.0f} s")
+                self.update(0, f"{note}: {self._clock() - begun:.0f} s{of}")
 
         ticking = threading.Thread(target=tick, daemon=True)
         ticking.start()

@@ -9,6 +9,7 @@ import pytest
 from masonry.cli import doctor, installed
 from masonry.cli.doctor import diagnose
 from masonry.cli.main import main
+from masonry.runtime.processors import Seconds
 from verification import self_test
 from verification.case import Case, Check, Findings
 
@@ -85,3 +86,13 @@ def test_a_self_test_that_finds_a_wrong_number_fails_and_says_which(monkeypatch,
     assert "FAILED: couplet: peak is 1.01 Pa, but the closed form gives 1 Pa" in " ".join(said.split())
     assert said.endswith("some things are missing or wrong, see above\n")
     assert main(["doctor"]) == 1
+
+
+def test_the_steps_of_usual_scenes_are_made_beforehand(monkeypatch, capsys):
+    models = []
+    monkeypatch.setattr("masonry.timeloop.compiling.prepare", lambda model, *words: models.append(model) or Seconds())
+    assert main(["doctor", "--warm"]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert len(models) == len(said) == len(doctor.USUAL) and "couplet of tets" in said[-1]
+    kinds = {kind for model in models for kind, members in model.layout.members.items() if len(members)}
+    assert kinds == {"rigid", "affine", "tets"}

@@ -6,16 +6,19 @@ import re
 import subprocess
 import sys
 import threading
+import time
 from math import inf
 
 import pytest
 
+from masonry.assembly.assemble import assemble
 from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import accuracy_text, summary_text
 from masonry.results.summary import Summary
 from masonry.runtime.progress import Effort, Progress, TimeLeft, duration
 from masonry.scene import load
+from masonry.timeloop import compiling
 from tests.results.sample import SUMMARY
 
 
@@ -192,11 +195,11 @@ def test_while_something_is_compiled_the_seconds_are_told_and_nothing_after_it(m
 
     with Progress(label="x", stream=stream, clock=Ticking()) as progress:
         progress(0, 0, "compiling")
-        with progress.waiting("compiling"):
+        with progress.waiting("compiling", 20.0):
             assert seen.wait(10.0)
         threads = threading.active_count()
         said = stream.getvalue().splitlines()
-    assert said[0] == "x  compiling" and re.fullmatch(r"x  compiling: \d+ s", said[1])
+    assert said[0] == "x  compiling" and re.fullmatch(r"x  compiling: \d+ s of about 20 s", said[1])
     assert threading.active_count() == threads and stream.getvalue().splitlines() == said
 
 
@@ -214,3 +217,15 @@ def test_compiling_is_told_once_and_only_where_something_is_compiled(tmp_path):
     )
     assert first.count("0 compiling the step for rigid blocks, law elastic (once for all such scenes") == 1
     assert "compiling" not in second and "step 700" in second
+
+
+def test_what_is_compiled_says_how_long_it_took_last_time(tmp_path, monkeypatch):
+    monkeypatch.setenv("MASONRY_CACHE", str(tmp_path))
+    monkeypatch.setattr(compiling, "is_compiled", lambda model, threads: False)
+    monkeypatch.setattr(compiling, "compile_for", lambda model, threads: time.sleep(0.2))
+    model = assemble(load("couplet")).model
+    notes = []
+    for _ in range(2):
+        compiling.prepare(model, 1, lambda step, steps, note: notes.append(note))
+    assert notes[0].endswith("rigid blocks, law exponential (once for all such scenes)")
+    assert notes[1].endswith("rigid blocks, law exponential (once for all such scenes, 0.2 s last time)")

@@ -10,7 +10,7 @@ from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import check_text, collapse_text, summary_text
 from masonry.results.summary import FirstFall, Moment
-from masonry.timeloop.timeloop import compiling_text
+from masonry.timeloop.compiling import compiling_text
 from tests.large.made import dry, slab
 from tests.scenes import box
 

@@ -1,0 +1,62 @@
+"""Before the first step: it is compiled, or loaded, and what is compiled is told, with the time it took last time."""
+
+import contextlib
+from collections.abc import Callable
+
+import numba
+
+from masonry.configuration.configuration import configuration_of
+from masonry.errors import SceneError
+from masonry.laws.law_dispatch import word_of
+from masonry.model.model import Model
+from masonry.runtime.processors import Seconds
+from masonry.runtime.progress import Progress, duration
+from masonry.timeloop.compiled_step import compile_for, is_compiled
+from masonry.timeloop.machine_record import read_record, write_record
+
+RECORD = "compiling"
+"""Seconds that it took last time on this machine, by what was compiled."""
+
+
+def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> Seconds:
+    """Have the step of a model compiled, or loaded where it is there already; the time that this takes."""
+    begun = Seconds.now()
+    if threads > 1:
+        _use(threads)
+    if is_compiled(model, threads):
+        compile_for(model, threads)
+        return Seconds.now() - begun
+    what = compiling_text(model)
+    last = read_record(RECORD).get(what)
+    waiting: contextlib.AbstractContextManager[None] = contextlib.nullcontext()
+    if progress is not None:
+        took = "" if last is None else f", {duration(last)} last time"
+        words = f"{what} (once for all such scenes{took})"
+        progress(0, 0, words)
+        waiting = progress.waiting(words, last) if isinstance(progress, Progress) else waiting
+    with waiting:
+        compile_for(model, threads)
+    seconds = Seconds.now() - begun
+    write_record(RECORD, read_record(RECORD) | {what: round(seconds.wall, 1)})
+    return seconds
+
+
+def compiling_text(model: Model) -> str:
+    """What is compiled: the kinds of blocks and the laws that are in it, of what may meet friction."""
+    blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
+    words = [word_of(model.groups.parameters[g]) for g in model.swept]
+    words += ["friction"] if configuration_of(model).any_size else []
+    laws = ", ".join(dict.fromkeys(words))
+    return f"compiling the step for {blocks} blocks, law {laws or 'none'}"
+
+
+def _use(threads: int) -> None:
+    """Raise SceneError where Numba has nothing to run threads with, or is told of something that does not exist."""
+    try:
+        numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+    except ValueError as error:
+        why = str(error).partition("\n")[0].rstrip(".")
+        raise SceneError(
+            f"--threads {threads}: Numba cannot run threads here ({why}); unset NUMBA_THREADING_LAYER if it is set, or"
+            " use one thread"
+        ) from None
