@@ -7,6 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
+from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.pictures.style import heading, tidy
 from masonry.results.frame_choice import without_noise
 from masonry.rows.peak import peak_row
@@ -66,10 +67,11 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
     axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
     if not rows["displacement"].any():
         return
-    axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label="peak")
+    word = "highest" if still_rises(result.summary) else "peak"
+    axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label=word)
     late = peak_at > displacement.min() + 2 / 3 * np.ptp(displacement)
     axes.annotate(
-        f"peak {peak:.4g} {unit} at {without_noise(peak_at, displacement):.4g} mm",
+        f"{word} {peak:.4g} {unit} at {without_noise(peak_at, displacement):.4g} mm",
         (peak_at, peak),
         xytext=(-12 if late else 12, 4 if peak >= 0 else -14),
         ha="right" if late else "left",

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.judgement.doubts.peak_passed import LIMIT as RISING
+from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
@@ -175,7 +175,7 @@ def balance_text(summary: Summary) -> str:
 
 def _peak_rows(summary: Summary) -> Rows:
     section = summary.section_m2
-    rises = "; it still rose at the end" if (summary.rise_at_end or 0.0) > RISING else ""
+    rises = "; it still rose at the end" if still_rises(summary) else ""
     return [
         ("peak stress", [stress_text(summary.peak_stress_pa, section) + rises]),
         ("displacement at peak", [_number(summary.displacement_at_peak_m, 1e3, "mm")]),

@@ -8,6 +8,7 @@ import pytest
 from matplotlib import image
 
 import masonry
+from masonry.laboratory.text import summary_text
 from masonry.pictures.camera import front_view
 from masonry.pictures.crack_lines import crack_lines, outlines
 from masonry.pictures.crack_picture import cracks_figure, frames_to_draw, magnification
@@ -71,6 +72,14 @@ def test_the_peak_is_that_of_the_summary_and_without_one_that_of_the_rows(tmp_pa
     result.summary = Summary.read({"peak_stress_pa": None, "law": {"a": "elastic", "b": "linear"}})
     result.plot(tmp_path / "curve.png")
     assert result.peak == pytest.approx((4e-5, 190000.0))
+
+
+@pytest.mark.parametrize(("rise", "word"), [(0.0099, "peak"), (0.0101, "highest")])
+def test_a_force_that_still_rises_at_the_end_has_no_peak_in_words_and_picture(rise, word):
+    result = sample()
+    result.summary |= {"rise_at_end": rise}
+    assert word in [line.get_label() for line in result.plot().axes[0].get_lines()]
+    assert ("; it still rose at the end" in summary_text(result.summary)) == (word == "highest")
 
 
 def test_a_negative_term_and_an_empty_history_do_not_stop_the_curve(tmp_path):

@@ -7,7 +7,7 @@ drive that turns back has no last tenth.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.evidence import Evidence
+from masonry.judgement.evidence import Evidence, Table
 
 ELASTIC = {"elastic"}
 LIMIT = 0.01
@@ -16,6 +16,11 @@ LIMIT = 0.01
 def has_strength(evidence: Evidence) -> bool:
     """Whether something in the specimen can break or slide."""
     return set(evidence.table("law_by_group").values()) != ELASTIC
+
+
+def still_rises(summary: Table) -> bool:
+    """Whether the highest force is that of the end, whatever the specimen is made of."""
+    return (Evidence(summary).number("rise_at_end") or 0.0) > LIMIT
 
 
 def advice(evidence: Evidence) -> str:
