@@ -32,22 +32,22 @@ class Frames:
         """The specimen now; force (C, 3) N of the contacts on their side a (JointForces)."""
         model, seen = self.model, view.seen
         tets = model.bodies.tets
-        stress, sigma, tau = view.stress.copy(), seen.sigma.copy(), seen.tau.copy()
+        stress, sigma, tau = view.stress.copy(), seen.sigma, seen.tau
         if model.bodies.rigid is not None:
             stress[model.layout.members["rigid"]] = self.contact_stress()
         gone, joints = ~model.alive, model.joints
         if gone.any():
             along = np.einsum("ci,ci->c", force, joints.normal)
             across = np.linalg.norm(force - along[:, None] * joints.normal, axis=1)
-            sigma[gone], tau[gone] = (along / joints.area)[gone], (across / joints.area)[gone]
+            sigma, tau = np.where(gone, along / joints.area, sigma), np.where(gone, across / joints.area, tau)
         return Frame(
             step=step,
             time=step * model.dt,
             displacement=displacement,
             corners=self.corners(),
             nodes=model.u[: len(tets.v)].copy() if tets is not None else np.zeros((0, 3)),
-            opening=seen.opening.copy(),
-            slip=seen.slip.copy(),
+            opening=seen.opening,
+            slip=seen.slip,
             normal_stress=sigma,
             shear_stress=tau,
             damage_tension=1.0 - model.state.intact_n,

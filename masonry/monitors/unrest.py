@@ -40,11 +40,14 @@ class EachBlock:
 
     size  (B,) m, edges of cubes of their volumes
     most  (B,) N, the most that each was seen to bear: what came loose and has no weight is measured by that
+    loads (B,) N, the dead loads; None where they vary
     """
 
     def __init__(self, model: Model) -> None:
         self.model, self.size = model, np.cbrt(model.layout.volume)
         self.most, self.configuration = np.zeros(model.blocks.count), configuration_of(model)
+        varies = any(part.body.change is not None for part in parts_of(model))
+        self.loads = None if varies else dead_loads(model)
 
     def look(self, before: list[np.ndarray]) -> Unrest:
         """How far each is from rest; `before`: velocities a step earlier (energy.velocities)."""
@@ -62,7 +65,7 @@ class EachBlock:
         """(B,) N, the larger of the dead load of each block and half of the forces at its contacts; sums of components.
         Blocks without a dead load bear the most that they ever did, and a little of what all do."""
         model = self.model
-        load, pressed = dead_loads(model), self.configuration.pressed()
+        load, pressed = dead_loads(model) if self.loads is None else self.loads, self.configuration.pressed()
         volume = model.layout.volume
         bears = np.maximum(load, 0.5 * pressed)
         self.most = np.maximum(self.most, bears)

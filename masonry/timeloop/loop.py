@@ -128,7 +128,7 @@ class Loop:
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
         begun = max(self.settle - done - 1, 0)
-        if begun < count:
+        if begun < count and self.driven:
             self.find_peak(path[begun:], drive_force[begun:], done < self.settle)
         return before
 

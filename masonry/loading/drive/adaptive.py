@@ -247,7 +247,7 @@ class AdaptiveLoading(Loading):
         settings, left = self.settings, self.approach.left(used, self.increments.made, bool(self.plan.reversals))
         travel = max(settings.approach * left, self.bounds.unit * self.path.moved)
         most = settings.rise if self.increments.count > settings.learning else 1.0
-        return float(np.clip(travel / (self.speed.duration * self.speed.target), settings.fall, most))
+        return float(min(max(travel / (self.speed.duration * self.speed.target), settings.fall), most))
 
     def load_factors(self) -> np.ndarray:
         """(L,) of the loads that come on in layers, now; no other load varies."""

@@ -58,7 +58,7 @@ class Bounds:
         self.looks.append(DragLook(float(lag), last.made, float(max(taken - freed, 0.0) / most_work), abs(row.force)))
         ratios = lag / settings.lag, sway / settings.sway, ends / settings.ends, drag / settings.drag
         excess = max(np.sqrt(brought), *(ratio / self.unit for ratio in ratios))
-        return float(np.clip(1.0 / excess, settings.slower, settings.faster))
+        return float(min(max(1.0 / excess, settings.slower), settings.faster))
 
     def state(self) -> State:
         """What is reported at the end."""

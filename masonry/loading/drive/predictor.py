@@ -71,7 +71,7 @@ class Predictor:
             secant = abs(force / displacement) if stiffness is None else stiffness
             ratio = trust * RATIO + (1.0 - trust) * SUDDEN
             wanted = ratio * np.sqrt(secant / inertia) * self.model.dt
-            self._damp(float(np.clip(wanted, LEAST, MOST)))
+            self._damp(float(min(max(wanted, LEAST), MOST)))
 
     def state(self) -> State:
         """Where all was at the end of the last increment, and the damping that followed; the field is the bodies'."""

@@ -62,7 +62,7 @@ class DriveSpeed(Remembering):
     def change(self, factor: float, slowest: float, goal: float) -> None:
         """Change the target by a factor, within bounds; goal: m, of the leg."""
         fastest = min(goal / (self.settings.coarsest * self.steps * self.dt), self.leap)
-        self.target = float(np.clip(self.target * factor, slowest, fastest))
+        self.target = float(min(max(self.target * factor, slowest), fastest))
 
 
 @cache

@@ -1,5 +1,7 @@
 """How far the bodies of a model have moved from where they were made, and since a rest: in m, and as dofs."""
 
+from functools import cache
+
 import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
@@ -11,12 +13,18 @@ Arrays = dict[str, np.ndarray]
 def places(model: Model, size: float) -> list[np.ndarray]:
     """(rows, n) m, how far blocks, or the nodes of tets, are from where they were made; turns and strains of blocks
     times a size (m)."""
-    return [moved * np.where(np.arange(moved.shape[1]) < 3, 1.0, size) for moved in dofs(model).values()]
+    return [moved * lengths(moved.shape[1], size) for moved in dofs(model).values()]
+
+
+@cache
+def lengths(dofs: int, size: float) -> np.ndarray:
+    """(dofs,) by what dofs are multiplied to be m."""
+    return np.where(np.arange(dofs) < 3, 1.0, size)
 
 
 def reach(moved: np.ndarray) -> float:
     """m, the most that anything has moved."""
-    return float(np.linalg.norm(moved, axis=1).max(initial=0.0))
+    return float(np.sqrt((moved * moved).sum(axis=1).max(initial=0.0)))
 
 
 def dofs(model: Model) -> Arrays:

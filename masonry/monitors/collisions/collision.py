@@ -73,11 +73,11 @@ class Collision(Observer):
     def _look(self, step: int, opening: np.ndarray, rotation: float) -> None:
         """Opening (C,) m of all contacts, rotation: the largest so far, rad."""
         place, reach, gradient = self.corners.now()
-        if np.any(reach > self.grown):
+        if (reach > self.grown).any():
             self._find_candidates(reach)
         if len(self.pairs) == 0:
             return
-        depth = DEEP * self.smaller + CLOSURES * max(0.0, -float(opening.min(initial=0.0)))
+        depth = self.least + CLOSURES * max(0.0, -float(opening.min(initial=0.0)))
         depth += 0.5 * rotation**2 * self.larger
         if len(self.met):
             depth += DEEPER * self.smaller * np.isin(self.codes, self.met)
@@ -99,7 +99,7 @@ class Collision(Observer):
         gap = self._face_each_other(blocks, np.arange(len(self.pairs)))
         self.codes = self.pairs @ [blocks.count, 1]
         self.smaller, self.larger = self.size[self.pairs].min(axis=1), self.radius[self.pairs].max(axis=1)
-        self.touching = gap <= TOUCHING * self.smaller
+        self.least, self.touching = DEEP * self.smaller, gap <= TOUCHING * self.smaller
 
     def _face_each_other(self, blocks: Blocks, which: np.ndarray) -> np.ndarray:
         """Find the face of either block that parts some candidates best; returns the gaps that they leave (m)."""
