@@ -157,12 +157,15 @@ class Loop:
         self.heights = seen[seen[:, 0] >= reached(self.outcome.peak_force)]
         self.outcome.displacement_at_peak = self.along(float(self.heights[0, 1]))
 
-    def keep_peak(self, stress: float, frame: Frame, standing: Standing) -> None:
-        """Keep the frame of a row that is higher than all before, as long as it may be the first near to the peak;
-        of frames that differ by next to nothing the first."""
-        if not self.near_peak or stress > self.near_peak[-1][0] * (1.0 + ALIKE):
-            self.near_peak.append((stress, frame, standing))
-        self.near_peak = [kept for kept in self.near_peak if kept[0] >= reached(stress)] or [(stress, frame, standing)]
+    def shows_more(self, stress: float) -> bool:
+        """Whether a frame of a row that is higher than all before is worth its while: of frames that differ by next to
+        nothing the first is kept."""
+        last = self.near_peak[-1][0] if self.near_peak else -np.inf
+        return stress > last * (1.0 + ALIKE) or last < reached(stress)
+
+    def keep_peak(self, stress: float) -> None:
+        """A row is higher than all before: keep the frames that may be the first near to the peak."""
+        self.near_peak = [one for one in self.near_peak if one[0] >= reached(stress)]
         self.highest_row, self.outcome.standing["peak"] = stress, self.near_peak[0][2]
 
     def along(self, place: float) -> float:
@@ -202,15 +205,18 @@ class Loop:
         force = self.recording.section * self.recording.sign
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
         higher = stood and row["stress"] > self.highest_row and step >= max(self.settle, 1)
-        if frame_due or higher:
+        shows = higher and self.shows_more(row["stress"])
+        if frame_due or shows:
             place, borne = row["displacement"], self.configuration.joint_forces()
             standing = self.recording.surroundings.standing(model, before, borne, step, place, load_factors)
             frame = self.camera.take(now, borne, step, place)
             if frame_due:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
-            if higher:
-                self.keep_peak(row["stress"], frame, standing)
+            if shows:
+                self.near_peak.append((row["stress"], frame, standing))
+        if higher:
+            self.keep_peak(row["stress"])
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive

@@ -58,14 +58,16 @@ def test_the_peak_is_looked_for_at_each_step_and_counts_where_the_first_was_with
 
 
 def test_the_frame_of_the_peak_is_the_first_of_those_within_a_thousandth_of_it():
-    loop, kept = loop_of(), []
-    for number, stress in enumerate((50.0, 99.95, 99.951, 100.0, 100.04)):
-        loop.keep_peak(stress, f"frame {number}", f"standing {number}")
-        kept.append(loop.near_peak[0][1])
-    assert kept == ["frame 0", "frame 1", "frame 1", "frame 1", "frame 1"]
-    assert len(loop.near_peak) == 3, "one that is higher by less than a ten thousandth is none of them"
-    loop.keep_peak(100.2, "frame 5", "standing 5")
-    assert loop.near_peak[0][1] == "frame 5" and loop.outcome.standing["peak"] == "standing 5"
+    loop, kept, taken = loop_of(), [], []
+    for number, stress in enumerate((50.0, 99.95, 99.951, 100.0, 100.04, 100.2)):
+        taken.append(loop.shows_more(stress))
+        if taken[-1]:
+            loop.near_peak.append((stress, f"frame {number}", f"standing {number}"))
+        loop.keep_peak(stress)
+        kept.append((loop.near_peak[0][1], len(loop.near_peak)))
+    assert taken == [True, True, False, True, True, True], "none is higher by less than a ten thousandth"
+    assert kept == [("frame 0", 1), *[("frame 1", n) for n in (1, 1, 2, 3)], ("frame 5", 1)]
+    assert loop.outcome.standing["peak"] == "standing 5"
 
 
 def test_the_place_of_the_drive_is_the_sum_of_its_way_or_what_the_loading_knows_better(monkeypatch):
