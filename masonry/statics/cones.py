@@ -8,7 +8,7 @@ from scipy import sparse
 
 from masonry.statics.crushing import crushing_cones
 from masonry.statics.equilibrium import Equilibrium
-from masonry.statics.interior_point import Programme, Tell, clarabel_package, solved, true_gap
+from masonry.statics.interior_point import ConeSolver, Programme, Tell, clarabel_package, true_gap
 from masonry.statics.problem import RigidContacts
 
 SOLVED = ("Solved", "AlmostSolved")
@@ -34,9 +34,10 @@ class NearForces(NamedTuple):
 
 def solve_cones(
     forces: Equilibrium, contacts: RigidContacts, between: tuple[float, float], near: NearForces | None = None,
-    tell: Tell | None = None,
+    tell: Tell | None = None, solver: ConeSolver | None = None,
 ) -> tuple[str, np.ndarray, np.ndarray, float]:  # fmt: skip
-    """As solve_linear, but with cones; the status may be "no end" as well.
+    """As solve_linear, but with cones; the status may be "no end" as well. solver: that of a problem before, which
+    serves again where only the strength of contacts differs.
 
     Raises SceneError where Clarabel is not installed.
     """
@@ -72,7 +73,7 @@ def solve_cones(
         cost = near.push * cost - near.weight * size * near.before
     matrix = sparse.csc_matrix(sparse.vstack(parts, format="csc"))
     programme = Programme(square, cost, matrix, np.concatenate(sides), kinds)
-    solution = solved(programme, tell)
+    solution = (solver or ConeSolver()).solved(programme, tell)
     status = str(solution.status)
     gap = abs(solution.obj_val - solution.obj_val_dual) / max(1.0, abs(solution.obj_val))
     if status in SOLVED or (status in SLOW and max(gap, solution.r_prim, solution.r_dual) < GOOD_ENOUGH):

@@ -31,30 +31,60 @@ class Programme(NamedTuple):
     kinds: list[Any]
 
 
-def solved(programme: Programme, tell: Tell | None) -> Any:
-    """What Clarabel found. Raises KeyboardInterrupt within an iteration of Ctrl-C, SceneError without Clarabel.
+class ConeSolver:
+    """Clarabel for one programme after another. Where only the sides differ from those of the programme before, its
+    ordering and its scaling serve again: the numbers are the same."""
 
-    On one thread: more of them take longer as soon as anything else works on the machine.
-    """
+    def __init__(self) -> None:
+        self._programme: Programme | None = None
+        self._clarabel: Any = None
+
+    def solved(self, programme: Programme, tell: Tell | None) -> Any:
+        """What Clarabel finds. Raises KeyboardInterrupt within an iteration of Ctrl-C, SceneError without Clarabel.
+
+        On one thread: more of them take longer as soon as anything else works on the machine.
+        """
+        with interrupt_afterwards() as pressed:
+            if self._programme is not None and _differ_by_sides(self._programme, programme):
+                self._clarabel.update(b=programme.sides)
+            else:
+                self._clarabel = _new_solver(programme)
+            self._programme = programme if self._clarabel.is_data_update_allowed() else None
+
+            def look(now: Any) -> bool:
+                if tell is not None and now.iterations:
+                    tell(
+                        now.iterations,
+                        f"gap {now.gap_rel:.0e}, forces off by {now.res_primal:.0e}",
+                    )
+                return bool(pressed) or _proven(now, len(programme.kinds))
+
+            self._clarabel.set_termination_callback(look)
+            return self._clarabel.solve()
+
+
+def _new_solver(programme: Programme) -> Any:
     clarabel = clarabel_package()
     settings = clarabel.DefaultSettings()
     settings.verbose = False
     settings.max_threads = 1
     settings.direct_solve_method = "qdldl" if len(programme.kinds) < MUCH else "faer"
     settings.tol_gap_abs = settings.tol_gap_rel = settings.tol_feas = ACCURACY
-    with interrupt_afterwards() as pressed:
-        solver = clarabel.DefaultSolver(*programme, settings)
+    return clarabel.DefaultSolver(*programme, settings)
 
-        def look(now: Any) -> bool:
-            if tell is not None and now.iterations:
-                tell(
-                    now.iterations,
-                    f"gap {now.gap_rel:.0e}, forces off by {now.res_primal:.0e}",
-                )
-            return bool(pressed) or _proven(now, len(programme.kinds))
 
-        solver.set_termination_callback(look)
-        return solver.solve()
+def _differ_by_sides(one: Programme, two: Programme) -> bool:
+    """Whether two programmes differ in their sides alone, if at all."""
+    if not np.array_equal(one.cost, two.cost) or [str(kind) for kind in one.kinds] != [str(k) for k in two.kinds]:
+        return False
+    pairs = ((one.square, two.square), (one.matrix, two.matrix))
+    return all(
+        a.shape == b.shape
+        and np.array_equal(a.indptr, b.indptr)
+        and np.array_equal(a.indices, b.indices)
+        and np.array_equal(a.data, b.data)
+        for a, b in pairs
+    )
 
 
 def _proven(now: Any, cones: int) -> bool:

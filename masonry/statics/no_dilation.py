@@ -21,6 +21,7 @@ import numpy as np
 from masonry.statics.balance import unbalanced
 from masonry.statics.cones import NearForces, solve_cones
 from masonry.statics.equilibrium import equilibrium
+from masonry.statics.interior_point import ConeSolver
 from masonry.statics.plane import flattened, plane_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Sizes, Solution
 from masonry.statics.sizes import alike
@@ -31,6 +32,8 @@ SOFTER = 2.5
 FIRST, FASTER, SLOWEST, MOST = 0.125, 0.8, 1e12, 80
 """Share of the way to the factor with dilation by which a step may raise the factor; pace of a step over that of the
 step before; the greatest pace; steps at most."""
+CLEARLY = 1.5
+"""Times that rise, the first problem of a step tells that it would be too large: the others are not solved."""
 RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
 """Rise of the factor in a step, over the factor, below which its end is looked for; how far it may be from the bound of
 the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
@@ -83,7 +86,7 @@ def without_dilation(
     with_dilation = bound.factor if bound.status == "solved" else inf
     reach = with_dilation - path.factor(now) if with_dilation < inf else 1.0 / path.unit
     while steps < MOST:
-        after = path.step(now, pace)
+        after = path.step(now, pace, CLEARLY * FIRST * reach if reach > 0.0 and pace < SLOWEST else inf)
         rise = path.factor(after) - path.factor(now)
         if rise > FIRST * reach > 0.0 and pace < SLOWEST:
             pace *= 2.0
@@ -143,6 +146,7 @@ class _LoadPath:
         along = softer * mean / np.bincount(forces.group, area, groups)
         weight = np.concatenate([mean / area, np.repeat(along, k)]) / (len(area) + groups * k)
         unit = np.concatenate([forces.force, np.repeat(forces.force[forces.leader], k)])
+        self.solver = ConeSolver()
         self.weight = np.append(weight * (unit / alike(bodies, contacts).force[0]) ** 2, 0.0)
 
     def factor(self, forces: np.ndarray) -> float:
@@ -159,12 +163,16 @@ class _LoadPath:
         near = NearForces(np.zeros(len(self.weight)), self.weight, 0.0)
         return self.solve(great, (self.unit, self.unit), near)[1]
 
-    def step(self, before: np.ndarray, pace: float) -> np.ndarray:
-        """The forces when the load has moved on; pace: the less, the further."""
-        return self.settled(before, pace, 1.0, self.between, TRIES)
+    def step(self, before: np.ndarray, pace: float, most: float = inf) -> np.ndarray:
+        """The forces when the load has moved on; pace: the less, the further. Where the factor would clearly rise by
+        more than `most`, what the first problem has."""
+        return self.settled(before, pace, 1.0, self.between, TRIES, most)
 
-    def settled(self, before: np.ndarray, pace: float, push: float, between: Range, tries: int) -> np.ndarray:
-        """Forces whose friction goes with their own normal forces."""
+    def settled(
+        self, before: np.ndarray, pace: float, push: float, between: Range, tries: int, most: float = inf
+    ) -> np.ndarray:
+        """Forces whose friction goes with their own normal forces; those of the first problem where the factor rises
+        by more than `most` there."""
         near = NearForces(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
         guess = before if before.any() else self.solve(self.flat, bounds, near)[1]
@@ -176,14 +184,14 @@ class _LoadPath:
             if status != "solved":
                 return guess
             off = (after - guess)[: self.flat.count]
-            if np.abs(off).max() <= SAME:
+            if np.abs(off).max() <= SAME or (last is None and self.factor(after) - self.factor(before) > most):
                 break
             guess, last = _secant(after, off, last), (after, off)
         return after
 
     def solve(self, contacts: RigidContacts, bounds: Range, near: NearForces) -> tuple[str, np.ndarray]:
         """Status and forces of one problem."""
-        return solve_cones(self.forces, contacts, bounds, near, self.method.tell)[:2]
+        return solve_cones(self.forces, contacts, bounds, near, self.method.tell, self.solver)[:2]
 
     def cylinders(self, forces: np.ndarray) -> RigidContacts:
         """Contacts whose shear strength is what friction makes of these normal forces, and stays so."""
