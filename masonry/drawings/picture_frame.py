@@ -37,27 +37,10 @@ def draw_sets(
     words       places (2,) of other words, and directions (2,) from the specimen: names beside it keep clear of them
     left_taken  arrows stand on the left; what may go to either side then goes to the right
     """
-    owner = specimen.blocks.face_block()
-    block = np.array([owner[piece.face] for piece in pieces], dtype=np.int64)
-    middle = np.array([camera.project(piece.corners).mean(axis=0) for piece in pieces])
     ends = specimen.blocks.points.min(axis=0), specimen.blocks.points.max(axis=0)
     box = camera.project(np.array(list(product(*np.transpose(ends)))))
     low, high = box.min(axis=0), box.max(axis=0)
-    centre = (low + high) / 2
-    sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
-    lone = sum(len(members) == 1 for members in specimen.sets.values())
-    shown = {name: m for name in _shown(specimen.sets) if len(m := specimen.sets[name]) > 1 or lone <= MOST_LONE}
-    for name, members in list(shown.items())[:MOST_SETS]:
-        own = middle[np.isin(block, members)]
-        if len(own) == 0 or name in specimen.blocks.groups:  # groups are told by colour
-            continue
-        to_right = bool(own[:, 0].mean() >= centre[0])
-        if abs(own[:, 0].mean() - centre[0]) < 0.05 * size:
-            to_right = left_taken or len(sides[True]) <= len(sides[False])
-        nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
-        row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
-        anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
-        sides[to_right].append((float(anchor[1]), name, anchor))
+    sides = _names_by_side(specimen, pieces, camera, 0.5 * float(low[0] + high[0]), size, left_taken)
     for to_right, entries in sides.items():
         beside = [place[1] for place, out in words if (out[0] > 0.5 if to_right else out[0] < -0.5)]
         levels = _clear([entry[0] for entry in sorted(entries, key=_level)], beside, 0.05 * size)
@@ -85,6 +68,29 @@ def _shown(names: Iterable[str]) -> list[str]:
         stem, _, number = name.rpartition(" ")
         rows.setdefault(stem if number.isdigit() else name, []).append(name)
     return [name for row in rows.values() for name in (row if len(row) <= MOST_IN_A_ROW else [row[0], row[-1]])]
+
+
+def _names_by_side(
+    specimen: Specimen, pieces: list[Piece], camera: Camera, centre: float, size: float, left_taken: bool
+) -> dict[bool, list[tuple[float, str, np.ndarray]]]:
+    """Names that stand on the right (True) and on the left: level, name, and the place on a visible face of the set."""
+    block = specimen.blocks.face_block()[[piece.face for piece in pieces]] if pieces else np.zeros(0, dtype=np.int64)
+    middle = np.array([camera.project(piece.corners).mean(axis=0) for piece in pieces])
+    sides: dict[bool, list[tuple[float, str, np.ndarray]]] = {False: [], True: []}
+    lone = sum(len(members) == 1 for members in specimen.sets.values())
+    shown = {name: m for name in _shown(specimen.sets) if len(m := specimen.sets[name]) > 1 or lone <= MOST_LONE}
+    for name, members in list(shown.items())[:MOST_SETS]:
+        own = middle[np.isin(block, members)]
+        if len(own) == 0 or name in specimen.blocks.groups:  # groups are told by colour
+            continue
+        to_right = bool(own[:, 0].mean() >= centre)
+        if abs(own[:, 0].mean() - centre) < 0.05 * size:
+            to_right = left_taken or len(sides[True]) <= len(sides[False])
+        nearest = own[np.argmax(own[:, 0] if to_right else -own[:, 0])]
+        row = own[np.abs(own[:, 0] - nearest[0]) <= 0.02 * size]
+        anchor = row[np.argmin(np.abs(row[:, 1] - own[:, 1].mean()))]
+        sides[to_right].append((float(anchor[1]), name, anchor))
+    return sides
 
 
 def _level(entry: tuple[float, str, np.ndarray]) -> tuple[float, str]:

@@ -108,44 +108,50 @@ def analyse(
 def _set_factor(
     result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method, wishes: LimitSettings
 ) -> None:
+    bodies = loads.bodies
     if wishes.dilation:
         solution = _with_dilation(loads, contacts, method)
     else:
-        if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
-            raise SceneError(
-                "a tilt without dilation is for dry joints under weight alone; leave out --no-dilation, "
-                "or add --no-strength"
-            )
-        flat = without_dilation(loads.bodies, contacts, method, _range(loads))
-        solution = flat.solution
-        result.with_dilation, result.steps = flat.with_dilation, flat.steps
-        result.excess, result.open = flat.excess, flat.open
-        if flat.left < (1.0 - LESS) * solution.factor:
-            result.remarks.append(
-                f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
-            )
-        if not flat.converged and solution.status == "solved":
-            result.remarks.append(
-                f"the factor came to no rest in {flat.steps} steps: the normal forces at the end bear up to "
-                f"{(1.0 + flat.open) * solution.factor:.5g}; take no more digits than these two share"
-            )
+        solution = _without_dilation(result, loads, contacts, method)
     if solution.status == "unbounded":
-        jams = ", by jamming, which a run decides" if jammed(loads.bodies, contacts, method) else ""
+        jams = ", by jamming, which a run decides" if jammed(bodies, contacts, method) else ""
         raise SceneError(f"there is no limit: forces in the joints can balance every factor of {loads.words}{jams}")
     if solution.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(solution)
     if wishes.dilation:
-        say_of_sliding(result, loads.bodies, contacts, solution)
-    if loads.bodies.together is None:
-        say_of_jams(result, loads.bodies, contacts, method)
-    if loads.bodies.together is not None and wishes.dilation:
-        back = replace(loads.bodies, live=-loads.bodies.live)
-        least = largest_factor(back, contacts, method, ANY)
+        say_of_sliding(result, bodies, contacts, solution)
+    if bodies.together is None:
+        say_of_jams(result, bodies, contacts, method)
+        if solution.factor <= 1e-9:
+            result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
+    elif wishes.dilation:
+        least = largest_factor(replace(bodies, live=-bodies.live), contacts, method, ANY)
         if least.status == "solved":
             result.least = 0.0 if abs(least.factor) <= CLOSED * abs(solution.factor) else -least.factor
-    if loads.bodies.together is None and solution.factor <= 1e-9:
-        result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
+
+
+def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
+    """The factor where what slides does not rise, with what the result says of how it was found."""
+    if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
+        raise SceneError(
+            "a tilt without dilation is for dry joints under weight alone; leave out --no-dilation, "
+            "or add --no-strength"
+        )
+    flat = without_dilation(loads.bodies, contacts, method, _range(loads))
+    solution = flat.solution
+    result.with_dilation, result.steps = flat.with_dilation, flat.steps
+    result.excess, result.open = flat.excess, flat.open
+    if flat.left < (1.0 - LESS) * solution.factor:
+        result.remarks.append(
+            f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
+        )
+    if not flat.converged and solution.status == "solved":
+        result.remarks.append(
+            f"the factor came to no rest in {flat.steps} steps: the normal forces at the end bear up to "
+            f"{(1.0 + flat.open) * solution.factor:.5g}; take no more digits than these two share"
+        )
+    return solution
 
 
 def _with_dilation(loads: Loads, contacts: RigidContacts, method: Method) -> Solution:

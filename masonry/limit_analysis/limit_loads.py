@@ -53,11 +53,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     density, gravity = density_of(specimen.blocks, materials), gravity_of(scene)
     mass = density * layout.volume
     varying = _varying(scene)
-    load = None if dead_alone else scene.limit or _asked(scene, varying)
-    if load is not None and varying:
-        raise SceneError(
-            f"{varying[0]} varies in time, so it is neither dead nor what [limit] names; leave out its history"
-        )
+    load = None if dead_alone else _growing(scene, varying)
     dead = sum((_loads(conditions, layout, name) for name in _steady(scene, varying)), np.zeros((len(mass), 6)))
     weight = np.zeros_like(dead)
     if "gravity" not in varying:
@@ -66,19 +62,18 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     together = _driven(scene, conditions) if load is not None and load.pattern == "drive" else None
     if together is not None:
         free |= together
-    if dead_alone:
+    if load is not None:
+        live, words = _live(scene, specimen, joints, layout, load, density, together)
+    elif dead_alone:
         live, words = np.zeros_like(dead), "the dead loads"
-    elif load is None:
+    else:
         live = sum((_loads(conditions, layout, name) for name in varying), np.zeros_like(dead))
         words = " and ".join(varying) + " at a share of 1"
-    else:
-        live, words = _live(scene, specimen, joints, layout, load, density, together)
-    tilts = load is not None and load.pattern == "tilt"
     bodies = RigidBodies(layout.centroid, free, dead + weight, live, together)
     if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
-    steady = dead + _along(weight, load) if tilts and load is not None else None
-    return Loads(bodies, words, "N" if together is not None else "", steady)
+    steady = None if load is None or load.pattern != "tilt" else dead + _along(weight, load)
+    return Loads(bodies, words, "" if together is None else "N", steady)
 
 
 def _varying(scene: Scene) -> list[str]:
@@ -95,7 +90,18 @@ def _driven(scene: Scene, conditions: Conditions) -> np.ndarray:
     return fixed & (np.arange(6) == scene.drive.axis)
 
 
-def _asked(scene: Scene, varying: list[str]) -> LimitLoad | None:
+def _growing(scene: Scene, varying: list[str]) -> LimitLoad | None:
+    """The load that the factor multiplies, of [limit] or else of the scene: None for loads with a history. Raises
+    SceneError where it is not clear which."""
+    load = scene.limit or _varied(scene, varying)
+    if load is not None and varying:
+        raise SceneError(
+            f"{varying[0]} varies in time, so it is neither dead nor what [limit] names; leave out its history"
+        )
+    return load
+
+
+def _varied(scene: Scene, varying: list[str]) -> LimitLoad | None:
     """What the scene itself varies: None for loads with a history. Raises SceneError for nothing, and for several."""
     tilt = scene.gravity.tilt if scene.gravity is not None else None
     sources = [*(["gravity.tilt"] if tilt else []), *(["drive"] if scene.drive else []), *varying[:1]]

@@ -56,23 +56,30 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
     list, a multiple of another) the first. Where several were varied, all of them, as they were given, for up to ten
     combinations; of more the column with the most values. No name where nothing was varied.
     """
-    rows, columns = swept(planned), {}
-    names = list(dict.fromkeys(name for row in rows for name in row))
-    for key in dict.fromkeys(key for run in planned for key in run.values):
-        in_si = next((name for name in names if name.startswith(f"{key} [")), key)
-        columns[in_si] = [row.get(in_si) for row in rows]
-    varied = {name: values for name, values in columns.items() if len(set(map(str, values))) > 1}
+    rows = swept(planned)
+    keys = list(dict.fromkeys(key for run in planned for key in run.values))
+    columns = {name: [row.get(name) for row in rows] for name in (_in_si(key, rows) for key in keys)}
+    varied = {name: values for name, values in columns.items() if _differing(values) > 1}
     if not varied:
         return "", []
-    first = max(varied, key=lambda name: len(set(map(str, varied[name]))))
+    first = max(varied, key=lambda name: _differing(varied[name]))
     together = {tuple(map(str, pairs)) for pairs in zip(*varied.values(), strict=True)}
-    if len(together) == len(set(map(str, varied[first]))):
+    if len(together) == _differing(varied[first]):
         return first, varied[first]
     if len(together) > FEW:
         return f"{first} (other keys vary too)", varied[first]
-    varied_keys = dict.fromkeys(key for run in planned for key in run.values)
-    keys = [key for key in varied_keys if len({str(row.get(key)) for row in rows}) > 1]
+    keys = [key for key in keys if _differing([row.get(key) for row in rows]) > 1]
     return ", ".join(keys), [", ".join(str(row.get(key)) for key in keys) for row in rows]
+
+
+def _in_si(key: str, rows: list[dict[str, Any]]) -> str:
+    """The column of a key, in SI where there is one."""
+    return next((name for row in rows for name in row if name.startswith(f"{key} [")), key)
+
+
+def _differing(values: list[Any]) -> int:
+    """How many values there are that are not alike."""
+    return len(set(map(str, values)))
 
 
 def _colours(values: list[Any]) -> tuple[list[Any], Any]:
