@@ -108,6 +108,22 @@ def test_a_dry_wall_that_stands(figure):
     require(large / small, 2.0, "a step of a dry wall that stands, in large displacement")
 
 
+def test_a_glued_wall(figure):
+    """A wall of bonds that hold, in frames that turn with its bricks, against the same wall in small displacement."""
+    steps = 20
+    real = {"solver.masses": "real", "drive.rate": "1 mm/s", "drive.accuracy": None}
+    pair = [assembled("mortared-wall", {"displacements": word, **real}).model for word in ("small", "large")]
+    takes = [models.stepping(model, steps) for model in pair]
+    for take in takes:
+        take()
+    times = in_turn(*takes, rounds=200)
+    points = len(pair[0].joints.area)
+    small, large = (1e9 * t.least / steps / points for t in times)
+    figure("step of a glued wall, per contact point", large, "ns", 25.0, 1.4 * small, times[1].spread)
+    figure("  small displacement", small, "ns")
+    require(large / small, 1.6, "a step of a glued wall, in large displacement")
+
+
 def test_a_dry_wall_that_flies(figure):
     """The same bricks as they fly together, 10 um a step, some 3 m/s."""
     steps, settling = 20, 3000

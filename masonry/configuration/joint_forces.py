@@ -174,12 +174,23 @@ def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray
     bonds, joints, layout = large.bonds, model.joints, model.layout
     points, whole = _points(large.near), bonds.alive
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
-    block, force = np.concatenate([points.block, pair]), np.concatenate([points.force, bonds.force[whole]])
+    block, force = (
+        np.concatenate([points.block, pair]),
+        np.concatenate([points.force, bond_forces(model, large, whole)]),
+    )
     place = np.concatenate([points.place, joints.point[whole] + moved(model, large, joints.point[whole], pair[:, 1])])
     now = layout.centroid + large.near.motion.moved[: len(layout.centroid), :3]
     sides = block.T.ravel()
     arm = np.concatenate([place, place]) - now[sides]
     return sides, np.concatenate([force, -force]).T.copy(), arm.T.copy()
+
+
+def bond_forces(model: Model, large: Large, which: np.ndarray) -> np.ndarray:
+    """(K, 3) N on side a of some bonds, along x, y and z."""
+    if large.members is not None:
+        return large.bonds.force[which]
+    frame = large.bonds.frames[model.joints.block_a[which]]
+    return np.einsum("cij,cj->ci", frame, model.contacts.force[which])
 
 
 def moved(model: Model, large: Large, point: np.ndarray, block: np.ndarray) -> np.ndarray:

@@ -70,7 +70,7 @@ class LargeDisplacement:
             a, b = (moved(model, self.parts, joints.point[gone], of[gone]) for of in (joints.block_a, joints.block_b))
         else:  # points of blocks that deform move with them at every step
             a, b = bonds.u[bonds.rows[gone].T.astype(np.int64)]
-        parted = np.einsum("cji,cj->ci", bonds.frames[bonds.owner[gone]], b - a)
+        parted = np.einsum("cji,cj->ci", bonds.frames[joints.block_a[gone]], b - a)
         normal = model.contacts.normal[gone]
         opening = np.einsum("ci,ci->c", parted, normal)
         seen[0, gone] = opening

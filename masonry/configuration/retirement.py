@@ -7,6 +7,7 @@ import numpy as np
 
 from geometry.joints.extents import joint_extents
 from masonry.configuration.contacts import stored_in_contacts
+from masonry.configuration.joint_forces import bond_forces
 from masonry.configuration.room import make_room
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
@@ -53,6 +54,8 @@ def retire(model: Model, large: Large) -> None:
     left = _carried(model, large, key[going], going)
     before = stored_in_contacts(model)
     bonds.alive[going] = False
+    bonds.runs[:, 3] = np.where(bonds.alive[bonds.runs[:, 2]], bonds.runs[:, 3], bonds.runs[:, 2])
+    large.parted[going] = model.state.slip[going]  # here the law is elastic, and bears nothing
     model.contacts.area[going] = 0.0
     model.contacts.force[going] = bonds.force[going] = 0.0
     sheared = sum(one.sheared for one in left.values())
@@ -125,7 +128,7 @@ def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> 
     pressed = np.bincount(of, np.minimum(along, 0.0) ** 2 / (2.0 * kn * area))
     sheared = np.bincount(of, np.divide(across, 2.0 * ks * area, out=np.zeros(len(ks)), where=ks > 0.0))
     total = np.zeros((len(pairs), 3))
-    np.add.at(total, of, large.bonds.force[which])
+    np.add.at(total, of, bond_forces(model, large, which))
     return {int(k): Carried(*one) for k, *one in zip(pairs, total, pressed, sheared, strict=True)}
 
 

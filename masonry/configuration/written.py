@@ -43,12 +43,13 @@ class WrittenOfMotion(NamedTuple):
 
 
 class WrittenOfBonds(NamedTuple):
-    """Of Bonds."""
+    """Of Bonds; those that retire are left out of runs."""
 
     u: np.ndarray
     force: np.ndarray
     apart: np.ndarray
     alive: np.ndarray
+    runs: np.ndarray
 
 
 class WrittenOfSearch(NamedTuple):

@@ -4,7 +4,7 @@ A scene of small displacement compiles nothing of this file.
 """
 
 from masonry.jit.compiler import jit
-from masonry.kernels.bonds import from_frames, to_frames
+from masonry.kernels.bonds import from_frames, part_rigid, push_rigid, to_frames
 from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
 from masonry.kernels.step import pull, reaction, sweep_groups
 from masonry.kinematics.dispatch import move, update_positions
@@ -46,12 +46,16 @@ def advance(
         update_positions(None, tets, dt, bonds.u)
         if members is not None:
             gather_places(near.motion, members, rigid, affine, tets, bonds)
-        to_frames(bonds, ranges, local)
+        if members is None:
+            part_rigid(bonds, near.motion, local)
+        else:
+            to_frames(bonds, local)
         sweep_groups(None, parameters, properties, states, 0, ranges, sides, normal, area, local, force)
-        from_frames(bonds, ranges, force)
         if members is None:
             press(near, dt)
+            push_rigid(bonds, near.motion, local, force)
         else:
+            from_frames(bonds, force)
             press_deforming(near, dt)
             hand_over(near.motion, members, rigid, affine, tets)
         loading = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]

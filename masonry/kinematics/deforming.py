@@ -13,7 +13,7 @@ from numba import prange
 
 from masonry.jit.compiler import jit
 from masonry.jit.extending import register_jitable
-from masonry.kinematics.levers import couple_apart, moments, patch_force, patch_moments, skew
+from masonry.kinematics.levers import moments, patch_force, patch_moments, skew
 from masonry.kinematics.matrices import (
     added,
     determinant,
@@ -93,8 +93,8 @@ def move(body, dt, damping, loading, force, u):
     apart, patches, work = body.apart, body.patches, body.work
     for b in prange(len(q)):
         h = _columns(q, b)
-        f, m = moments(start, code, arm, force, b)
-        f, m = added(f, patch_force(patches, b)), _with_spatial(apart, patches, start, code, force, b, m, h, axes)
+        f, m, couple = moments(apart, start, code, arm, force, b)
+        f, m = added(f, patch_force(patches, b)), _with_spatial(apart, patches, couple, b, m, h, axes)
         p = times_symmetric(_edges(h, axes, b), _stress(h, axes, b, -stiffness[b, 0], -stiffness[b, 1]))
         done, drawn = (four(), four(), four()), four()
         own, inner = (f[0], f[1], f[2], m[0]), (0.0, 0.0, 0.0, p[0])
@@ -166,11 +166,11 @@ def _stress(h, axes, b, lame, mu):
 
 
 @register_jitable
-def _with_spatial(apart, patches, start, code, force, b, moment, h, axes):
+def _with_spatial(apart, patches, couple, b, moment, h, axes):
     """First moments by material levers, and what levers in space add to them."""
     if apart is None and patches is None:
         return moment
-    in_space = _sum(skew(couple_apart(apart, start, code, force, b)), patch_moments(patches, b))
+    in_space = _sum(skew(couple), patch_moments(patches, b))
     return _sum(moment, product(in_space, transposed(inverse(_edges(h, axes, b)))))
 
 

@@ -11,35 +11,29 @@ from masonry.simd import numbers, pack, plus, take_row
 
 
 @register_jitable
-def moments(start, code, arm, force, b):
-    """Force (3) on block b, and its first moments (9), row by row: force times arm, of the arms as they are given."""
+def moments(apart, start, code, arm, force, b):
+    """Force (3) on block b; its first moments (9), row by row: force times arm, of the arms as they are given; and the
+    couple (3) of the forces on sides a about their material points, global, which is 0 without `apart`."""
     nothing = pack((0.0, 0.0, 0.0, 0.0))
     whole, by_x, by_y, by_z = nothing, nothing, nothing, nothing
+    beside_x, beside_y, beside_z = nothing, nothing, nothing
     for k in range(start[b], start[b + 1]):
-        own, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
-        whole = plus(whole, side, own)
-        by_x = plus(by_x, side * arm[k, 0], own)
-        by_y = plus(by_y, side * arm[k, 1], own)
-        by_z = plus(by_z, side * arm[k, 2], own)
+        c, on_b = code[k] >> 1, 1.0 * (code[k] & 1)
+        row = take_row(force, c)
+        own = plus(nothing, 1.0 - 2.0 * on_b, row)
+        whole = plus(whole, 1.0, own)
+        by_x = plus(by_x, arm[k, 0], own)
+        by_y = plus(by_y, arm[k, 1], own)
+        by_z = plus(by_z, arm[k, 2], own)
+        if apart is not None:
+            on_a = plus(nothing, 1.0 - on_b, row)
+            beside_x = plus(beside_x, apart[c, 0], on_a)
+            beside_y = plus(beside_y, apart[c, 1], on_a)
+            beside_z = plus(beside_z, apart[c, 2], on_a)
     f, x, y, z = numbers(whole), numbers(by_x), numbers(by_y), numbers(by_z)
-    return (f[0], f[1], f[2]), (x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2])
-
-
-@register_jitable
-def couple_apart(apart, start, code, force, b):
-    """Couple of the forces on sides a of block b about their material points, global; 0 without `apart`."""
-    if apart is None:
-        return 0.0, 0.0, 0.0
-    nothing = pack((0.0, 0.0, 0.0, 0.0))
-    by_x, by_y, by_z = nothing, nothing, nothing
-    for k in range(start[b], start[b + 1]):
-        c = code[k] >> 1
-        own, on_a = take_row(force, c), 1.0 - (code[k] & 1)
-        by_x = plus(by_x, on_a * apart[c, 0], own)
-        by_y = plus(by_y, on_a * apart[c, 1], own)
-        by_z = plus(by_z, on_a * apart[c, 2], own)
-    x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
-    return y[2] - z[1], z[0] - x[2], x[1] - y[0]
+    first = x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]
+    x, y, z = numbers(beside_x), numbers(beside_y), numbers(beside_z)
+    return (f[0], f[1], f[2]), first, (y[2] - z[1], z[0] - x[2], x[1] - y[0])
 
 
 @register_jitable

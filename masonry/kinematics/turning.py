@@ -16,7 +16,7 @@ from numba import prange
 
 from masonry.jit.compiler import jit
 from masonry.jit.extending import register_jitable
-from masonry.kinematics.levers import axial, couple_apart, moments, patch_couple, patch_force
+from masonry.kinematics.levers import axial, moments, patch_couple, patch_force
 from masonry.kinematics.matrices import (
     added,
     dot,
@@ -134,8 +134,7 @@ def move(body, dt, damping, loading, force, u):
 @register_jitable
 def _of_contacts(body, force, b):
     """Force and moment of the contacts of block b."""
-    own, moment = moments(body.start, body.code, body.arm, force, b)
-    beside = couple_apart(body.apart, body.start, body.code, force, b)
+    own, moment, beside = moments(body.apart, body.start, body.code, body.arm, force, b)
     return own, added(axial(product(moment, transposed(matrix_at(body.frame, b)))), beside)
 
 

@@ -17,11 +17,9 @@ from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import ENDED
 from masonry.runtime.progress import Effort
 
-LONGEST_CHUNK = 100
-"""Steps between two looks at the motion: an instability cannot grow into infinities unseen, nor a sudden crack far."""
-A_LITTLE_MORE = 1.5
-"""Times as many that a chunk may have which ends at a row, where no sudden crack is looked for: a few steps besides are
-not worth a chunk of their own."""
+LONGEST_CHUNK, WATCHED = 200, 100
+"""Steps between two looks at the motion: an instability cannot grow into infinities unseen; and where sudden cracks are
+looked for, these cannot grow far."""
 SOONEST = 6
 """Of all steps of a run that ends at rest: in which part of them that is taken to be possible at the earliest, where
 nothing else says so. Walls that fall and rubble that is heaped up took 0.3 to 0.9 of them."""
@@ -126,7 +124,7 @@ class ScheduledLoading(Loading):
         if self.watch is not None and self.watch.pause:
             return self.hold(self.watch.steps)
         due = self.row_due()
-        first, latest = self.done, self.latest(due)
+        first, latest = self.done, self.latest()
         self.done = min(due, latest)
         part = slice(first, self.done + 1)
         dead_load = self.program.dead_load[part]
@@ -134,12 +132,11 @@ class ScheduledLoading(Loading):
             dead_load = self.loads.apply(first, self.done, dead_load)
         return self.going_on(Chunk(dead_load, self.program.speed[part], self.done == due))
 
-    def latest(self, due: int) -> int:
-        """The step at which the next chunk ends at the latest, where a row is due."""
+    def latest(self) -> int:
+        """The step at which the next chunk ends at the latest."""
         if self.loads is not None:
             return self.loads.latest(self.done)
-        few = self.watch is None and due - self.done <= A_LITTLE_MORE * LONGEST_CHUNK
-        return due if few else self.done + LONGEST_CHUNK
+        return self.done + (LONGEST_CHUNK if self.watch is None else WATCHED)
 
     def hold(self, steps: int) -> Chunk:
         """Some steps in which the drive rests, and the dead loads stay; the move that was due next is still made."""

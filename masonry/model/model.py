@@ -271,10 +271,8 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
     near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded)
     frames = near.motion.frame if members is None else near.motion.frame.copy()
-    sides = model.contacts.sides
-    if members is None:
-        bodies, sides = without_sides(bodies, sides, dry)
-    bonds = bonds_of(sides, joints, frames, model.contacts.u, apart, ~dry)
+    bodies = without_sides(bodies) if members is None else bodies
+    bonds = bonds_of(model.contacts.sides, joints, layout.centroid, frames, model.contacts.u, apart, ~dry)
     return replace(
         model,
         contacts=contacts,

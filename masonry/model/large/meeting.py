@@ -166,15 +166,13 @@ def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     return pace
 
 
-def without_sides(bodies: Bodies, sides: np.ndarray, dry: np.ndarray) -> tuple[Bodies, np.ndarray]:
-    """Rigid bodies without the sides of dry contacts (C,), which patches replace; rows of u (C, 2) of the others."""
+def without_sides(bodies: Bodies) -> Bodies:
+    """Rigid bodies without the sides of contacts: patches replace them, or bonds of two blocks push as one."""
     body = bodies.rigid
-    bonded, first = ~dry[body.code // 2], int(body.first_point)
-    number = np.concatenate([[0], np.cumsum(bonded)])
-    rows = np.where(dry[:, None], 0, first + number[np.asarray(sides, dtype=np.int64) - first])
-    start, code = number[body.start].astype(np.uint32), body.code[bonded]
-    body = body._replace(start=start, code=code, arm=np.ascontiguousarray(body.arm[bonded]))
-    return bodies._replace(rigid=body), rows.astype(np.uint32)
+    body = body._replace(
+        start=np.zeros_like(body.start), code=body.code[:0].copy(), arm=body.arm[:0].copy(), apart=None
+    )
+    return bodies._replace(rigid=body)
 
 
 def near_of(
@@ -243,16 +241,31 @@ def keys(pairs: np.ndarray, count: int) -> np.ndarray:
 
 
 def bonds_of(
-    sides: np.ndarray, joints: Joints, frames: np.ndarray, u: np.ndarray, apart: np.ndarray, alive: np.ndarray
+    sides: np.ndarray,
+    joints: Joints,
+    centroid: np.ndarray,
+    frames: np.ndarray,
+    u: np.ndarray,
+    apart: np.ndarray,
+    alive: np.ndarray,
 ) -> Bonds:
-    """Frames and displacements of the contacts; sides (C, 2) rows of u; frames (B, 3, 3) of all blocks; alive (C,)
-    whether they have strength."""
+    """Frames and displacements of the contacts; sides (C, 2) rows of u; frames (B, 3, 3) and centroid (B, 3) m of all
+    blocks; alive (C,) whether they have strength."""
+    pair = np.column_stack([joints.block_a, joints.block_b])
+    changes = np.flatnonzero(np.any(np.diff(np.column_stack([pair, alive]).astype(np.int64), axis=0), axis=1)) + 1
+    first = np.concatenate([[0], changes])[: len(alive)].astype(np.int64)
+    behind = np.append(first[1:], len(alive))[: len(first)]
+    hold = alive[first]
+    runs = np.column_stack([pair[first], first, behind]).astype(np.int64)
+    lever = (joints.point[first, None] - centroid[pair[first]]).reshape(-1, 6)
     return Bonds(
-        rows=np.array(sides),
         frames=frames,
-        owner=joints.block_a.astype(np.int64),
+        alive=alive,
+        runs=np.ascontiguousarray(runs[hold]),
+        lever=np.ascontiguousarray(lever[hold]),
+        across=in_rows(joints.point - np.repeat(joints.point[first], behind - first, axis=0)),
+        rows=np.array(sides),
         u=u,
         force=in_rows(np.zeros(apart.shape)),
         apart=apart,
-        alive=alive,
     )
