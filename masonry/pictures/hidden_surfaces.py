@@ -1,11 +1,13 @@
 """Blocks seen from one side, as plain arrays: the faces that can be seen, farthest first, and the edges of units."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from geometry.joints.covered import covered_fractions
+from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import areas_normals_centroids, pad
 from masonry.pictures.camera import Camera
@@ -117,48 +119,59 @@ def _farthest_first(pieces: list[Piece], normal: np.ndarray, camera: Camera, wid
     return [pieces[i] for i in order[np.argsort(rank[plane[order]], kind="stable")]]
 
 
+class _Edges(NamedTuple):
+    """The edges of some faces, one face after another: the face (E,), where in `faces` it stands (E,); and the pairs
+    (n, 2) of edges that lie at one place in one body, as numbers of edges."""
+
+    face: np.ndarray
+    place: np.ndarray
+    pairs: np.ndarray
+
+    def by_face(self, values: np.ndarray) -> list[np.ndarray]:
+        """Values (E,) in parts, face by face."""
+        return np.split(values, np.flatnonzero(np.diff(self.place)) + 1) if len(values) else []
+
+
+def _edges(blocks: Blocks, faces: np.ndarray, body: np.ndarray) -> _Edges:
+    """The edges of some faces; body (F,) of every face."""
+    size = float(np.ptp(blocks.points, axis=0).max())
+    place, corner = ranges(blocks.face_start[faces], np.diff(blocks.face_start)[faces])
+    count = np.diff(blocks.face_start)[faces]
+    points = np.round(blocks.points[blocks.face_points[corner]] / (1e-6 * size)).astype(np.int64)
+    point = np.unique(points, axis=0, return_inverse=True)[1].reshape(-1)
+    after = point[following(np.append(0, np.cumsum(count)))]
+    face = faces[place]
+    ends = np.minimum(point, after) * len(point) + np.maximum(point, after)
+    key = body[face] * len(ends) + np.unique(ends, return_inverse=True)[1].reshape(-1)
+    order = np.argsort(key, kind="stable")
+    last = np.flatnonzero(np.append(np.diff(key[order]) != 0, True)) + 1
+    end = np.repeat(last, np.diff(last, prepend=0))
+    one, two = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
+    return _Edges(face, place, np.stack([order[one], order[two]], axis=1))
+
+
 def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
     """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane, or one of the
     same block in nearly the same, as on the facets of a curved surface."""
-    size = float(np.ptp(blocks.points, axis=0).max())
     block = blocks.face_block()
-    unit, group = blocks.unit[block], blocks.group[block]
-    edges: list[list[tuple[object, ...]]] = []
-    beside: dict[tuple[object, ...], list[int]] = {}
-    for f in faces.tolist():
-        corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
-        keys: list[tuple[object, ...]] = [
-            (int(unit[f]), int(group[f]), *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
-        ]
-        for key in keys:
-            beside.setdefault(key, []).append(f)
-        edges.append(keys)
-
-    def goes_on(f: int, others: list[int]) -> bool:
-        near = (float(normal[f] @ normal[o]) > (BENT if block[o] == block[f] else SAME_PLANE) for o in others if o != f)
-        return any(near)
-
-    return [np.array([not goes_on(f, beside[k]) for k in keys]) for f, keys in zip(faces.tolist(), edges, strict=True)]
+    body = np.unique(np.stack([blocks.unit[block], blocks.group[block]]), axis=1, return_inverse=True)[1].reshape(-1)
+    edges = _edges(blocks, faces, body)
+    f, o = edges.face[edges.pairs].T
+    near = np.einsum("ni,ni->n", normal[f], normal[o]) > np.where(block[f] == block[o], BENT, SAME_PLANE)
+    outer = np.ones(len(edges.face), dtype=bool)
+    outer[edges.pairs[near & (f != o)]] = False
+    return edges.by_face(outer)
 
 
 def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
     """For each face, per edge: true unless a face of the same block goes on beyond it, turned by less than SMOOTH."""
-    size = float(np.ptp(blocks.points, axis=0).max())
-    owner = blocks.face_block()
-    edges: list[list[tuple[object, ...]]] = []
-    beside: dict[tuple[object, ...], list[int]] = {}
-    for f in faces.tolist():
-        corner = [tuple(p) for p in np.round(blocks.face(f) / (1e-6 * size)).astype(np.int64).tolist()]
-        keys: list[tuple[object, ...]] = [
-            (int(owner[f]), *sorted((p, q))) for p, q in zip(corner, corner[1:] + corner[:1], strict=True)
-        ]
-        for key in keys:
-            beside.setdefault(key, []).append(f)
-        edges.append(keys)
-    smooth = {
-        key for key, both in beside.items() if len(both) == 2 and normal[both[0]] @ normal[both[1]] > np.cos(SMOOTH)
-    }
-    return [np.array([key not in smooth for key in keys]) for keys in edges]
+    edges = _edges(blocks, faces, blocks.face_block())
+    f, o = edges.face[edges.pairs].T
+    alone = np.bincount(edges.pairs.ravel(), minlength=len(edges.face)) == 1  # of two edges, not of more
+    smooth = alone[edges.pairs].all(axis=1) & (np.einsum("ni,ni->n", normal[f], normal[o]) > np.cos(SMOOTH))
+    turns = np.ones(len(edges.face), dtype=bool)
+    turns[edges.pairs[smooth]] = False
+    return edges.by_face(turns)
 
 
 def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, most: float) -> list[Piece]:

@@ -18,6 +18,12 @@ class BlockCorners:
         self.arm = blocks.points[self.corner] - self.centre[self.owner]
         self.inverse = np.linalg.pinv(self.sum(self.arm[:, :, None] * self.arm[:, None, :]), hermitian=True)
 
+    def sum_of_products(self, values: np.ndarray) -> np.ndarray:
+        """Sum over the corners of each block of values (n, 3) times the arms: (B, 3, 3)."""
+        arms, count = np.ascontiguousarray(self.arm.T), self.blocks.count
+        sums = [[np.bincount(self.owner, value * arm, count) for arm in arms] for value in values.T.copy()]
+        return np.moveaxis(np.array(sums), 2, 0)
+
     def sum(self, values: np.ndarray) -> np.ndarray:
         """Sum over the corners (n, ...) of each block: (B, ...)."""
         return sum_by_block(self.blocks, self.owner, values)
@@ -35,7 +41,7 @@ class Deformation:
         self._centre = corners.centre
         self._shift = corners.sum(moved) / corners.number
         spread = moved - self._shift[corners.owner]
-        self.gradient = corners.sum(spread[:, :, None] * corners.arm[:, None, :]) @ corners.inverse
+        self.gradient = corners.sum_of_products(spread) @ corners.inverse
         self._nodes = frame.nodes
 
     def at(

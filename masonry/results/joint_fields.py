@@ -27,6 +27,7 @@ class JointGrid:
     def __init__(self, result: "ResultData") -> None:
         self.joints = joints = result.joints
         self.shape = BlockCorners(result.specimen.blocks)
+        self._last: tuple[Frame, Deformation] | None = None
         start, points = tiles(joints)
         self.owner = np.repeat(np.arange(len(joints.area)), np.diff(start))
         self.cells = VtkCells(
@@ -43,16 +44,22 @@ class JointGrid:
             },
         )
 
+    def _field(self, frame: Frame) -> Deformation:
+        """The displacements of a frame; points and cells ask for them one after the other."""
+        if self._last is None or self._last[0] is not frame:
+            self._last = frame, Deformation(self.shape, frame)
+        return self._last[1]
+
     def point_data(self, frame: Frame) -> Data:
         """`displacement` (points, 3) m: the mean of the two sides."""
-        first, second = Deformation(self.shape, frame).sides(self.joints, self.owner, self.cells.points)
+        first, second = self._field(frame).sides(self.joints, self.owner, self.cells.points)
         return {"displacement": 0.5 * (first + second)}
 
     def cell_data(self, frame: Frame) -> Data:
         """The fields of the contacts: numbers (cells,), vectors (cells, 3) m, and `mode` as `mode_of` has it."""
         joints = self.joints
         every = np.arange(len(joints.area))
-        first, second = Deformation(self.shape, frame).sides(joints, every, joints.point)
+        first, second = self._field(frame).sides(joints, every, joints.point)
         along = np.einsum("ni,ni->n", second - first, joints.normal)
         data: Data = {name: getattr(frame, name) for name in NUMBERS}
         return data | {

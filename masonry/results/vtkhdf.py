@@ -19,7 +19,7 @@ TO_VTK = [0, 1, 2, 5, 3, 4]
 """From xx yy zz yz xz xy to VTK's xx yy zz xy yz xz."""
 
 AT_ONCE = 2_000_000
-"""Numbers that are held to be written together: each call of HDF5 costs as much as writing a thousand."""
+"""Numbers that are kept to be written together: each call of HDF5 costs as much as writing a thousand."""
 
 Data = dict[str, np.ndarray]
 
@@ -71,9 +71,13 @@ def write(
         for name, values in cells.still.items():
             groups[1].create_dataset(name, data=values)
         if frames:
-            places = tuple(zip(groups, _steps(root, frames, cells.still), (point_data, cell_data), strict=True))
-            for group, starts, data_of in places:
-                _write_series(group, starts, frames, data_of)
+            places = zip(groups, _steps(root, frames, cells.still), (point_data, cell_data), strict=True)
+            series = [_Series(*place, len(frames)) for place in places]
+            together = 1
+            while (done := series[0].done) < len(frames):
+                for one in series:  # points and cells of a frame one after the other: they have much in common
+                    one.write(frames[done : done + together])
+                together = max(1, AT_ONCE // max(one.numbers for one in series))
 
 
 def _steps(root: Any, frames: Sequence[Frame], still: Data) -> tuple[Any, Any]:
@@ -93,18 +97,31 @@ def _steps(root: Any, frames: Sequence[Frame], still: Data) -> tuple[Any, Any]:
     return points, cells
 
 
-def _write_series(group: Any, starts: Any, frames: Sequence[Frame], data_of: Callable[[Frame], Data]) -> None:
-    """The data of all frames, one after the other in one dataset a field; many frames at once where they are small."""
-    first = data_of(frames[0])
-    sets = {}
-    for name, values in first.items():
-        size = len(values)
-        sets[name] = group.create_dataset(name, shape=(len(frames) * size, *values.shape[1:]), dtype=np.float32)
-        starts.create_dataset(name, data=np.arange(len(frames), dtype=np.int64) * size)
-    together = max(1, AT_ONCE // max(sum(values.size for values in first.values()), 1))
-    for begin in range(0, len(frames), together):
-        batch = [data_of(frame) for frame in frames[begin : begin + together]]
-        for name, data in sets.items():
-            size = len(first[name])
+class _Series:
+    """The data of all frames, one after the other in one dataset a field.
+
+    numbers  of a frame      done  frames that are written
+    """
+
+    def __init__(self, group: Any, starts: Any, data_of: Callable[[Frame], Data], frames: int) -> None:
+        self.group, self.starts, self.data_of, self.frames = group, starts, data_of, frames
+        self.sets: dict[str, Any] = {}
+        self.numbers, self.done = 1, 0
+
+    def write(self, frames: Sequence[Frame]) -> None:
+        """Write the frames that follow those written before."""
+        batch = [self.data_of(frame) for frame in frames]
+        if not self.sets:
+            self._make(batch[0])
+        for name, data in self.sets.items():
+            size = len(batch[0][name])
             values = np.concatenate([one[name] for one in batch], dtype=np.float32, casting="same_kind")
-            data[begin * size : begin * size + len(values)] = values
+            data[self.done * size : self.done * size + len(values)] = values
+        self.done += len(frames)
+
+    def _make(self, first: Data) -> None:
+        self.numbers = max(sum(values.size for values in first.values()), 1)
+        for name, values in first.items():
+            shape = (self.frames * len(values), *values.shape[1:])
+            self.sets[name] = self.group.create_dataset(name, shape=shape, dtype=np.float32)
+            self.starts.create_dataset(name, data=np.arange(self.frames, dtype=np.int64) * len(values))
