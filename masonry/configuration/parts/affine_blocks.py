@@ -2,9 +2,23 @@
 
 import numpy as np
 
+from geometry.jit_cache import compiled
 from masonry.configuration.parts.part import MovingPart, Strain
 from masonry.kinematics import affine, deforming
 from masonry.kinematics.matrices import rotation_angles, rotations
+
+
+@compiled
+def deform_corners(q, axes, row, arm, moved):
+    """Write the displacements (p, 3) m of points of rows (p,) with arms (p, 3) m; axes (b, 3, 3) at the start."""
+    for p in range(len(row)):
+        b = row[p]
+        for i in range(3):
+            stretch = 0.0
+            for k in range(3):
+                for j in range(3):
+                    stretch += q[b, 3 + 3 * i + j] * axes[b, k, j] * arm[p, k]
+            moved[p, i] = q[b, i] + stretch
 
 
 class AffinePart(MovingPart):
@@ -14,9 +28,9 @@ class AffinePart(MovingPart):
         return Strain(affine.observe(self.body, stress))
 
     def moved_corners(self, row: np.ndarray, arm: np.ndarray) -> np.ndarray:
-        h = self.body.q[row, 3:].reshape(-1, 3, 3)
-        axes = self.layout.axes[self.blocks[row]]
-        return np.asarray(self.body.q[row, :3] + np.einsum("cij,ckj,ck->ci", h, axes, arm))
+        moved = np.empty(arm.shape)
+        deform_corners(self.body.q, self._axes, row, arm, moved)
+        return moved
 
     def rotations(self) -> np.ndarray:
         h = np.einsum("bij,bkj->bik", self.body.q[:, 3:].reshape(-1, 3, 3), self.layout.axes[self.blocks])

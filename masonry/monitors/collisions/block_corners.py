@@ -49,9 +49,7 @@ class Corners:
         if rigid is not None:
             write_motion(rigid.q, layout.axes, layout.members["rigid"], shift, gradient)
         if affine is not None:
-            which = layout.members["affine"]
-            shift[which] = affine.q[:, :3]
-            gradient[which] = np.einsum("bij,bkj->bik", affine.q[:, 3:].reshape(-1, 3, 3), layout.axes[which])
+            write_strain(affine.q, layout.axes, layout.members["affine"], shift, gradient)
         return shift, gradient
 
 
@@ -65,6 +63,19 @@ def write_motion(q, axes, which, shift, gradient):
             rotation = axes[b, i, 0] * one + axes[b, i, 1] * two + axes[b, i, 2] * three
             j = (i + 1) % 3
             gradient[b, (j + 1) % 3, j], gradient[b, j, (j + 1) % 3] = rotation, -rotation
+
+
+@compiled
+def write_strain(q, axes, which, shift, gradient):
+    """The same of blocks of one strain; their dofs q (b, 12)."""
+    for n in range(len(which)):
+        b = which[n]
+        for i in range(3):
+            shift[b, i] = q[n, i]
+            for k in range(3):
+                gradient[b, i, k] = 0.0
+                for j in range(3):
+                    gradient[b, i, k] += q[n, 3 + 3 * i + j] * axes[b, k, j]
 
 
 @compiled
