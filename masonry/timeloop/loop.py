@@ -223,8 +223,8 @@ class Loop:
         count with the support. Forces that hold are added up one after the other, as the step does."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
         stress, support = (
-            sum(float(np.cumsum(body.hold[dofs])[-1]) for body, dofs in held) / area * sign
-            for held in (self.driven, self.supported)
+            sum(float(np.cumsum(body.hold[dofs])[-1]) for body, dofs in bodies) / area * sign
+            for bodies in (self.driven, self.supported)
         )
         support += float(self.loads_along @ load_factors) / area * sign
         return {
@@ -281,7 +281,7 @@ class Loop:
 def holding(model: Model, dofs: tuple[np.ndarray | None, ...]) -> list[tuple[Any, tuple[np.ndarray, ...]]]:
     """Bodies and their held dofs, rows (n,) and numbers (n,); from those of each kind (n, 2) or None."""
     each = zip(model.bodies, dofs, strict=True)
-    return [(body, tuple(held.astype(np.intp).T)) for body, held in each if held is not None and len(held)]
+    return [(body, tuple(rows.astype(np.intp).T)) for body, rows in each if rows is not None and len(rows)]
 
 
 def append(columns: Columns, row: dict[str, float]) -> None:

@@ -33,7 +33,7 @@ class Predictor:
         self.model = model
         self.parts = [(part.body, part.masses, part.displacements) for part in parts_of(model)]
         self.last = [place.copy() for _, _, place in self.parts]
-        self.held = [np.nonzero(body.dt_over_mass == 0.0) for body, _, _ in self.parts]
+        self.fixed = [np.nonzero(body.dt_over_mass == 0.0) for body, _, _ in self.parts]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0
         self.half_c_dt, model.damping = AT_FIRST.half_c_dt, AT_FIRST
@@ -60,9 +60,9 @@ class Predictor:
             foreseen += float(np.sum(m * expected**2))
         self.trust = trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
         inertia = 0.0
-        for (body, m, place), last, held in zip(self.parts, self.last, self.held, strict=True):
+        for (body, m, place), last, fixed in zip(self.parts, self.last, self.fixed, strict=True):
             body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
-            body.guess[held] = 0.0
+            body.guess[fixed] = 0.0
             last[...] = place
             inertia += float(np.sum(m * body.guess**2))
         self.displacement = displacement
