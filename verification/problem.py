@@ -60,6 +60,7 @@ class Problem:
     converged  the knob whose settings converge, each twice as fine as the one before
     units      quantity -> unit
     shipped    knob and setting that a user gets who asks for nothing
+    dear       left out of a quick report
     """
 
     name: str
@@ -76,6 +77,12 @@ class Problem:
     )
     shipped: tuple[str, str] = (ACCURACY, SHIPPED)
     kind: str = "closed form"
+    dear: bool = False
+
+    def of_the_loading(self) -> "Problem":
+        """The same with two knobs alone: the one that converges, and the one that is shipped."""
+        needed = {self.converged, self.shipped[0]}
+        return replace(self, knobs={k: v for k, v in self.knobs.items() if k in needed} or self.knobs)
 
 
 def changes_model(knob: str) -> bool:

@@ -5,6 +5,7 @@ import io
 import json
 import math
 import re
+from inspect import signature
 
 import numpy as np
 import pytest
@@ -17,6 +18,8 @@ from verification.report.__main__ import study_chapters, write
 from verification.stability.cells import Grid, MapCell
 from verification.stability.references import sheared
 from verification.studies import couplet, energy_balance, stability
+from verification.studies.refinement import problems
+from verification.timed_run import THREADS
 
 KNOBS = {"shipped": {}, "far beyond the bound": {"solver.step_fraction": 5.0}, "refused": {"solver.damping": 1.0}}
 LIMITS = Grid(
@@ -142,3 +145,13 @@ def test_what_stands_between_backticks_is_code_and_all_else_is_escaped():
     shown = "run <code>masonry verify &lt;x&gt;</code>, a &lt; b"
     assert page.paragraph(text) == f"<p>{shown}</p>" and shown in page.bullets([text])
     assert shown in page.table(("a",), [[text], [page.TableCell("x", "ok", text)]])
+
+
+def test_every_study_has_a_quick_chapter_and_quick_problems_keep_what_their_reference_needs():
+    assert all("quick" in signature(chapter).parameters for chapter in study_chapters().values())
+    known = list(problems())
+    assert 0 < sum(not problem.dear for problem in known) < len(known)
+    for problem in known:
+        needed = {problem.converged, problem.shipped[0]} & set(problem.knobs)
+        quick = problem.of_the_loading()
+        assert set(quick.knobs) == (needed or set(problem.knobs)) and THREADS not in quick.knobs

@@ -50,14 +50,14 @@ def tets(
         "step fraction": fractions(USUAL),
         "model: mesh": meshes(USUAL, *sizes),
     }
-    return Problem(name, title, scene, knobs | dict(more), converged=ACCURACY)
+    return Problem(name, title, scene, knobs | dict(more), converged=ACCURACY, dear=True)
 
 
 def torn(name: str, title: str, scene: str, fine: int) -> Problem:
     """The loading halved four times from `fine` steps, and the damping at a quarter of these."""
     counts = [fine >> k for k in (4, 3, 2, 1, 0)]
     knobs = {RATE: steps(*counts), "damping": dampings({"drive.steps": counts[2]}, 0.8, 0.5, 0.3, 0.2)}
-    return Problem(name, title, scene, knobs, shipped=("", ""))
+    return Problem(name, title, scene, knobs, shipped=("", ""), dear=True)
 
 
 PROBLEMS = (

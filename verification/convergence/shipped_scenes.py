@@ -94,7 +94,8 @@ def bending() -> Problem:
         "damping": dampings(usual),
         "model: law": laws(usual),
     }
-    return Problem("bending-0", "Wallette in horizontal bending, as shipped", "bending-0", knobs, converged=ACCURACY)
+    title = "Wallette in horizontal bending, as shipped"
+    return Problem("bending-0", title, "bending-0", knobs, converged=ACCURACY, dear=True)
 
 
 def deformable(mode: int, motion: str) -> Problem:
@@ -113,6 +114,7 @@ def deformable(mode: int, motion: str) -> Problem:
         knobs,
         base=keys,
         converged=ACCURACY,
+        dear=True,
     )
 
 

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Protocol
 
 from geometry.files.atomic import WholeFiles
 from verification import catalogue, records, runner, studies
@@ -18,7 +19,13 @@ CASES, PAPER = "cases", "paper"
 PAGE = "report.html"
 
 
-def study_chapters() -> dict[str, Callable[[Tell], Chapter]]:
+class StudyChapter(Protocol):
+    """Makes the chapter of a study; a quick one asks for less, in the same words."""
+
+    def __call__(self, tell: Tell, *, quick: bool) -> Chapter: ...
+
+
+def study_chapters() -> dict[str, StudyChapter]:
     """Name -> `chapter` of every module of `verification.studies` that has one, by its ORDER."""
     chosen = sorted((m for m in catalogue.modules_of(studies) if hasattr(m, "chapter")), key=lambda m: m.ORDER)
     return {m.__name__.rpartition(".")[2]: m.chapter for m in chosen}
@@ -42,7 +49,7 @@ def main(arguments: list[str] | None = None) -> int:
         *([PAPER] if find_spec("verification.paper") else []),
     ]  # no part of what pip installs
     parser.add_argument("--only", nargs="+", choices=parts, metavar="PART", help=f"of {', '.join(parts)}")
-    parser.add_argument("--quick", action="store_true", help="only the quick cases, and a quick look at the paper")
+    parser.add_argument("--quick", action="store_true", help="quick cases, less of each study and of the paper")
     words = parser.parse_args(arguments)
     begun = time.perf_counter()
 
@@ -56,7 +63,8 @@ def main(arguments: list[str] | None = None) -> int:
         wanted = [case for case in catalogue.catalogue().values() if case.quick or not words.quick]
         outcomes = runner.run(wanted, tell=tell)
         chapters += cases.chapters(outcomes, time.perf_counter() - begun)
-    chapters += [chapter(tell) for name, chapter in study_chapters().items() if not words.only or name in words.only]
+    made = {name: chapter for name, chapter in study_chapters().items() if not words.only or name in words.only}
+    chapters += [chapter(tell, quick=words.quick) for chapter in made.values()]
     if PAPER in (words.only or parts):
         from verification.paper import catalogue as experiments
         from verification.paper import gathering, page

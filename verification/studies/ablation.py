@@ -13,12 +13,12 @@ from verification.studies.parts import PARTS, STEPS, Part, few_steps, march, put
 ORDER = 40
 ROUNDING, ADDED_UP = 1e-14, 1e-12
 """What rounding may do in a few steps, and in a whole run of thousands."""
-ROUNDS, FEW = 7, 2
+ROUNDS, QUICK_ROUNDS, FEW = 7, 2, 2
 NOISE = 1.1
 """What two times of the same work may differ by on a machine that does other things as well."""
 
 
-def compare(part: Part, rounds: int = ROUNDS) -> tuple[float, float, float]:
+def compare(part: Part, rounds: int) -> tuple[float, float, float]:
     """(largest difference over the largest value, seconds of the reduced and of the full run).
 
     The reduced model cracks; the full one is then put in its state, and both take a few steps: forces, motions and
@@ -45,22 +45,22 @@ def compare(part: Part, rounds: int = ROUNDS) -> tuple[float, float, float]:
     return off, float(least[0]), float(least[1])
 
 
-def chapter(tell: Callable[[str], None], parts: Sequence[Part] = PARTS) -> page.Chapter:
+def chapter(tell: Callable[[str], None], parts: Sequence[Part] = PARTS, quick: bool = False) -> page.Chapter:
     """A table of all parts, reduced against full; then sizes, what is compiled and what is not, scene by scene."""
     made = page.Chapter("What each scene leaves out")
     rows: list[list[str | page.TableCell]] = []
     wrong, slow, bits = [], [], 0
     for part in parts:
         tell(f"left out: {part.name}")
-        off, reduced, full = compare(part)
+        off, reduced, full = compare(part, QUICK_ROUNDS if quick else ROUNDS)
         ratio, limit = reduced / full, ROUNDING if part.same else ADDED_UP
         wrong += [] if off <= limit else [part.name]
         slow += [] if ratio <= NOISE else [part.name]
         bits += off == 0.0
         said = "the same bits" if off == 0.0 else f"{off:.0e}"
         times = [f"{1e6 * seconds / STEPS:.2f} us" for seconds in (reduced, full)]
-        quick = page.judged(f"{ratio:.2f}", "ok" if ratio <= NOISE else "warn")
-        rows.append([part.name, page.judged(said, off <= limit, "" if part.same else "whole run"), *times, quick])
+        faster = page.judged(f"{ratio:.2f}", "ok" if ratio <= NOISE else "warn")
+        rows.append([part.name, page.judged(said, off <= limit, "" if part.same else "whole run"), *times, faster])
         made.records.append(record(part, off, limit, reduced, full))
     sentence = (
         f"{len(rows)} optional parts: leaving one out gives the same bits in {bits}, and differs by rounding "

@@ -12,8 +12,10 @@ QUIET, SUDDEN, ROUGH, BEYOND = "quasi-static", "brittle", "too fast", "beyond th
 """Sorts of runs: by their own word, by their contacts, by their kinetic energy, by their time step."""
 
 
-def chapter(tell: Callable[[str], None]) -> page.Chapter:
-    """The worst figures by scene, over all the runs that were not stopped. Comes last: it looks at all the others."""
+def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
+    """The worst figures by scene, over all the runs that were not stopped. Comes last: it looks at all the others, as
+    many as there are.
+    """
     made = page.Chapter("Energy balance")
     sorts: dict[str, list[SceneRun]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
     for one in timed_run.DONE.values():

@@ -15,10 +15,16 @@ NEAR, FELT = 1.5, 0.1
 """The shipped setting is near the front if it takes at most NEAR times the quickest of its error, or FELT s more."""
 
 
-def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None) -> page.Chapter:
-    """Each problem: the refinements of its knobs, drawn and tabled; verdicts on the shipped setting."""
+def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None, quick: bool = False) -> page.Chapter:
+    """Each problem: the refinements of its knobs, drawn and tabled; verdicts on the shipped setting.
+
+    A quick one leaves dear problems out, refines the loading alone, and makes each run once.
+    """
     made = page.Chapter("Error against run time")
-    studies = [Study(problem, tell) for problem in (problems() if chosen is None else chosen)]
+    wanted = list(problems() if chosen is None else chosen)
+    if quick:
+        wanted = [problem.of_the_loading() for problem in wanted if not problem.dear]
+    studies = [Study(problem, tell, timed=not quick) for problem in wanted]
     made.records += [record for study in studies for record in (*study.records, *threads.records(study))]
     shipped = [(study, one) for study in studies if (one := study.shipped)]
     header = ["problem", "as shipped", "quickest of that error", "time to 1 %", "time to 0.1 %", "settings"]

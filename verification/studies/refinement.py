@@ -32,10 +32,11 @@ class Study:
     runs        knob -> label -> run
     references  quantity -> Reference
     records     one for each run and quantity
+    timed       whether short runs are made several times, for a steadier time
     """
 
-    def __init__(self, problem: Problem, tell: Callable[[str], None]) -> None:
-        self.problem = problem
+    def __init__(self, problem: Problem, tell: Callable[[str], None], timed: bool = True) -> None:
+        self.problem, self.timed = problem, timed
         self.runs: dict[str, dict[str, SceneRun]] = {}
         for knob, settings in problem.knobs.items():
             tell(f"{problem.name}: {knob}, {len(settings)} settings")
@@ -44,7 +45,7 @@ class Study:
         self.records = [record for knob in self.runs for record in self._records(knob)]
 
     def _run(self, keys: dict[str, Any]) -> SceneRun:
-        return timed_run.run(self.problem.scene, self.problem.base | keys, timed=True)
+        return timed_run.run(self.problem.scene, self.problem.base | keys, self.timed)
 
     def _references(self) -> dict[str, Reference]:
         """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs

@@ -12,12 +12,12 @@ ORDER = 30
 Tell = Callable[[str], None]
 
 
-def chapter(tell: Tell, chosen: list[Grid] | None = None, full: bool = True) -> page.Chapter:
-    """All maps as pictures, each with a table of what was said."""
+def chapter(tell: Tell, chosen: list[Grid] | None = None, quick: bool = False) -> page.Chapter:
+    """All maps as pictures, each with a table of what was said; quick ones have a few cells."""
     made = page.Chapter("Stability and extremes")
     made.add(INTRODUCTION)
     kinds: Counter[str] = Counter()
-    for grid in maps.all_grids(full) if chosen is None else chosen:
+    for grid in maps.all_grids(not quick) if chosen is None else chosen:
         if grid.cells:
             tell(f"stability: {grid.title}")
             outcomes = maps.run(grid)
