@@ -17,34 +17,51 @@ PERCENT, QUICK_PERCENT = 1.0, 4.0
 """What drives aim at: as the scenes are shipped, and for a quick look."""
 PACES = (ACCURACY, "drive.steps", "drive.rate")
 """The keys of a scene that say how fast it is driven: one of them takes the place of the others."""
+COARSER = "{}, at twice the loading error"
+"""The label of a run made again with twice the error of loading: only its peak counts."""
 
 
 @dataclass(frozen=True)
 class Run:
     """A packaged scene with some of its keys set.
 
-    halve   run it once more with half the accuracy, to see how far its peak moves
-    sudden  why the specimen gives way at once past its peak, so that its two ends are compared before it only
+    pace_check  run it once more with twice the loading error, to see how far its peak moves
+    sudden      why the specimen gives way at once past its peak, so that its two ends are compared before it only
+    own_pace    its pace is what is looked at: it is never loaded more carefully
     """
 
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
-    halve: bool = False
+    pace_check: bool = False
     sudden: str = ""
+    own_pace: bool = False
 
     @property
     def paced(self) -> bool:
         """Whether it says itself how fast it is driven."""
         return any(key in self.settings for key in PACES)
 
+    @property
+    def percent(self) -> float:
+        """The loading error (%) that it aims at, its own or the shipped one."""
+        return float(str(self.settings.get(ACCURACY, PERCENT)).removesuffix("%"))
+
+    @property
+    def refinable(self) -> bool:
+        """Whether it can be loaded more carefully, and may be."""
+        return not self.own_pace and not any(key in self.settings for key in PACES if key != ACCURACY)
+
     def at(self, percent: float) -> "Run":
         """The same, aiming at an accuracy."""
-        return replace(self, settings={**self.settings, ACCURACY: f"{percent:g} %"}, halve=False)
+        return replace(self, settings={**self.settings, ACCURACY: f"{percent:g} %"})
 
-    def halved(self) -> "Run":
-        """The same at half the accuracy that it aims at, its own or the shipped one."""
-        own = str(self.settings.get(ACCURACY, PERCENT)).removesuffix("%")
-        return self.at(0.5 * float(own))
+    def coarser(self) -> "Run":
+        """The same with twice the loading error, against which its peak is held."""
+        return replace(self.at(2.0 * self.percent), pace_check=False)
+
+    def finer(self) -> "Run":
+        """The same with half the loading error."""
+        return self.at(0.5 * self.percent)
 
 
 @dataclass(frozen=True)
@@ -112,8 +129,9 @@ class Missing(Exception):
 class Done:
     """The results of an experiment's runs by their labels.
 
-    rows    label -> row of the sweep engine: key, status, reason, seconds and the flat numbers of the summary
-    folder  where the engine keeps its runs
+    rows     label -> row of the sweep engine: key, status, reason, seconds and the flat numbers of the summary
+    folder   where the engine keeps its runs
+    refined  the labels of runs that were made again with less loading error than the experiment asks for
     """
 
     runs: Mapping[str, Run]
@@ -121,6 +139,7 @@ class Done:
     folder: Path
     quick: bool = False
     loaded: dict[str, Result] = field(default_factory=dict)
+    refined: frozenset[str] = frozenset()
 
     def __getitem__(self, label: str) -> Result:
         """The result of a run. Raises Missing, with the reason, where it has none."""
@@ -137,6 +156,12 @@ class Done:
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.runs)
+
+    @property
+    def asked(self) -> list[str]:
+        """The labels of the runs that the experiment asks for: all but those that only check the pace of another."""
+        checks = {COARSER.format(label) for label in self.runs}
+        return [label for label in self.runs if label not in checks]
 
     def record(
         self, label: str, quantity: str, value: float, unit: str, reference: float, kind: str, scale: float = 0.0

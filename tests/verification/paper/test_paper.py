@@ -8,9 +8,20 @@ from masonry import scene
 from masonry.errors import SceneError
 from tests.results.sample import sample
 from verification.paper import catalogue, command, gathering, page
-from verification.paper.experiment import ACCURACY, Claim, Done, Experiment, Missing, Run, Section, Shown, claim
+from verification.paper.experiment import (
+    ACCURACY,
+    COARSER,
+    Claim,
+    Done,
+    Experiment,
+    Missing,
+    Run,
+    Section,
+    Shown,
+    claim,
+)
 from verification.paper.experiments import sensitivity
-from verification.paper.soundness import HALVED, soundness
+from verification.paper.soundness import soundness
 from verification.paper.variations import assumed, options
 
 EXPERIMENTS = catalogue.catalogue()
@@ -20,7 +31,7 @@ SOUND = {"status": "OK", "reason": "", "seconds": 1.0, "energy_imbalance": 1e-14
 @pytest.mark.parametrize("quick", [False, True], ids=["full", "quick"])
 @pytest.mark.parametrize("name", EXPERIMENTS)
 def test_every_run_of_the_paper_is_a_scene_that_can_be_read(name, quick):
-    runs = gathering.with_halved(EXPERIMENTS[name].runs(quick), quick)
+    runs = gathering.with_coarser(gathering.paced(EXPERIMENTS[name].runs(quick), quick))
     assert runs
     for run in runs.values():
         assert scene.load(run.scene, run.settings).name == run.scene
@@ -39,13 +50,44 @@ def test_a_quick_look_asks_for_fewer_runs_than_the_whole():
         assert len(experiment.runs(True)) <= len(experiment.runs(False))
 
 
-def test_runs_that_ask_for_it_are_made_again_at_half_the_accuracy_and_a_quick_look_spares_that():
-    runs = {"a": Run("couplet", halve=True), "b": Run("couplet", {"drive.rate": "1 mm/s"})}
-    full = gathering.with_halved(runs, quick=False)
-    assert full[HALVED.format("a")].settings == {ACCURACY: "0.5 %"} and len(full) == 3
-    assert Run("couplet", {ACCURACY: "0.6 %"}).halved().settings == {ACCURACY: "0.3 %"}
-    quick = gathering.with_halved(runs, quick=True)
+def test_runs_that_ask_for_it_are_made_again_at_twice_the_loading_error_and_a_quick_look_is_content_with_more():
+    runs = {"a": Run("couplet", pace_check=True), "b": Run("couplet", {"drive.rate": "1 mm/s"})}
+    full = gathering.with_coarser(gathering.paced(runs, quick=False))
+    assert full["a"] == runs["a"] and full["b"] == runs["b"]
+    assert full[COARSER.format("a")].settings == {ACCURACY: "2 %"} and len(full) == 3
+    assert Run("couplet", {ACCURACY: "0.6 %"}, pace_check=True).finer() == Run("couplet", {ACCURACY: "0.3 %"}, True)
+    quick = gathering.paced(runs, quick=True)
     assert quick["a"].settings == {ACCURACY: "4 %"} and quick["b"] == runs["b"]
+
+
+def test_a_run_is_made_again_with_half_the_error_as_long_as_its_ends_differ_or_twice_the_error_moves_its_peak(
+    tmp_path, monkeypatch
+):
+    """The ends of `apart` differ by 1.5 times its accuracy, the peak of `moves` by 0.9 times; a rate stays as it is."""
+    runs = {
+        "apart": Run("couplet", {ACCURACY: "2 %"}),
+        "moves": Run("couplet", pace_check=True),
+        "rate": Run("couplet", {"drive.rate": "1 mm/s"}),
+        "own": Run("couplet", {ACCURACY: "4 %"}, own_pace=True),
+    }
+    made = []
+
+    def row(job):
+        error = 0.01 * Run(job.scene, job.settings).percent
+        made.append((job.label, error))
+        ends = 1.5 * error if job.label.startswith("apart") else 0.9 if job.label in ("rate", "own") else 0.0
+        return SOUND | {"reaction_mismatch_max": ends, "peak_stress_pa": 1e6 * (1.0 + 1.5 * error)}
+
+    monkeypatch.setattr(gathering.engine, "run", lambda jobs, *_: [row(job) for job in jobs])
+    experiment = Experiment("x", "X", 1, lambda quick: runs, lambda done: Section())
+    [done] = gathering.results([experiment], tmp_path, False, 1, None)
+    assert done.runs["apart"].percent == 1.0 and done.runs["moves"].percent == 0.5
+    assert done.runs["rate"] == runs["rate"] and done.runs["own"] == runs["own"]
+    assert done.refined == {"apart", "moves"} and done.runs[COARSER.format("moves")].percent == 1.0
+    assert ("moves", 0.25 * 0.01) not in made, "no finer than needed"
+    *_, ends, moved = soundness(done)
+    assert "rate" in ends.why and "apart" not in ends.why and "2 were made again" in ends.check
+    assert moved.holds and COARSER.format("moves") not in ends.why
 
 
 def test_a_run_whose_ends_disagree_or_whose_energy_is_lost_is_named(tmp_path):

@@ -5,7 +5,7 @@ from typing import Any
 
 from verification.html import page
 from verification.paper.couplets.measures import plateau
-from verification.paper.couplets.mortar import CAREFUL, HIGH, LOW, SIZES, name
+from verification.paper.couplets.mortar import HIGH, LOW, SIZES, name
 from verification.paper.experiment import Claim, Done, Run, claim
 
 HEADER = ("bed", "assumed", "varied to", *(f"{what}, {c}" for c in (LOW, HIGH) for what in ("peak", "plateau")))
@@ -43,7 +43,7 @@ def label(size: str, assumed: str, varied: str, confinement: str) -> str:
 def runs() -> dict[str, Run]:
     """Each variation at the lowest and the highest confinement."""
     return {
-        label(*key, c): Run(SIZES[key[0]], {"confinement": c, **knobs, **CAREFUL})
+        label(*key, c): Run(SIZES[key[0]], {"confinement": c, **knobs})
         for key, knobs in VARIED.items()
         for c in (LOW, HIGH)
     }

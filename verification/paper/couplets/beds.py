@@ -5,7 +5,7 @@ from typing import Any
 from verification.html import page
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import Cracks, cracks, plateau
-from verification.paper.couplets.mortar import CAPACITY, CAREFUL, HIGH, LOW, SIZES, name, plateau_of_law
+from verification.paper.couplets.mortar import CAPACITY, HIGH, LOW, SIZES, name, plateau_of_law
 from verification.paper.experiment import Claim, Done, Run, claim
 from verification.references.closed_forms import Joint
 
@@ -40,7 +40,7 @@ def runs(quick: bool) -> dict[str, Run]:
     """The models of Fig. 8 with every bed but the shipped one; in full both sizes at both confinements."""
     models = SHOWN if quick else [(size, c) for size in SIZES for c in (LOW, HIGH)]
     return {
-        label(size, c, ratio): Run(SIZES[size], {"confinement": c, **bed(ratio), **({} if quick else CAREFUL)})
+        label(size, c, ratio): Run(SIZES[size], {"confinement": c, **bed(ratio)})
         for size, c in models
         for ratio in RATIOS
     }

@@ -21,7 +21,7 @@ def runs() -> Iterator[tuple[str, Run]]:
         for n in POINTS:
             free = {"support.1.fix": ["y"], "specimen.points_per_edge": {"x": n, "y": 2, "z": 2}}
             given = {"law": law, "confinement": HIGH, "drive.displacement": "0.5 mm", **free}
-            yield TURNING.format(law, n), Run("couplet", given, halve=n == POINTS[-1])
+            yield TURNING.format(law, n), Run("couplet", given, pace_check=n == POINTS[-1])
 
 
 def claims(done: Done) -> list[Claim]:

@@ -58,7 +58,7 @@ def runs() -> Iterator[tuple[str, Run]]:
         paced = {"drive.displacement": "0.3 mm", "drive.rate": rate}
         yield label, Run("couplet", {**base, "confinement": HIGH, **PLATES, **paced})
     for c in (MIDDLE, HIGH):
-        yield HELD.format(c), Run("couplet", {**base, "confinement": c, **FACES}, halve=True)
+        yield HELD.format(c), Run("couplet", {**base, "confinement": c, **FACES}, pace_check=True)
     yield FINER, Run("couplet", {**base, "confinement": HIGH, **FACES, "specimen.mesh_size": "12.5 mm"})
 
 

@@ -44,13 +44,13 @@ def runs(quick: bool) -> dict[str, Run]:
         for kind, factors in FIRST_FACTORS.items():
             for f in factors:
                 given = {**HOLDS[hold], **_energy(JOINTS, kind, f * IN_JOINTS[kind])}
-                made[first(hold, kind, f)] = Run(MODE_1, given, halve=True)
+                made[first(hold, kind, f)] = Run(MODE_1, given, pace_check=True)
     for division in divisions(quick):
         scene, held = DIVISIONS[division]
         for kind, factors in SECOND_FACTORS.items():
             for f in factors:
                 given = {**held, **_energy(UNITS, kind, f * IN_UNITS[kind])}
-                made[second(division, kind, f)] = Run(scene, given, halve=division != CELLS_HELD)
+                made[second(division, kind, f)] = Run(scene, given, pace_check=division != CELLS_HELD)
     return quick_enough(made, quick)
 
 
@@ -90,7 +90,7 @@ def show(done: Done) -> Section:
     parts.append(
         page.picture(pictures.cracks(drawn), "Fig. 19, ours: failure mode 2, 218 cells, at the end.", pixels=True)
     )
-    labels = [label for label in done if done.has(label) and "accuracy" not in label]
+    labels = [label for label in done.asked if done.has(label)]
     parts.append(page.folded(f"All {len(labels)} runs as numbers", "".join(table_of_runs(done, labels))))
     firsts = {hold: {kind: series(done, hold, kind) for kind in KEYS} for hold in holds(done.quick)}
     seconds = {division: {kind: series(done, division, kind) for kind in KEYS} for division in divisions(done.quick)}

@@ -9,18 +9,16 @@ from verification.paper.experiment import ACCURACY, Done, Experiment, Run, Secti
 from verification.paper.tornado import PANELS, pictures, verdict
 from verification.paper.variations import Variation, assumed, options
 
-CAREFUL = {ACCURACY: "0.7 %"}
 PACE: dict[str, dict[str, Any]] = {
     "couplet": {},
-    "couplet-meso-coarse": {ACCURACY: "0.5 %"},
-    "wallette-mode-1": CAREFUL,
-    "wallette-mode-2": CAREFUL,
-    "bending-0": {"specimen.points_per_edge": {"x": 2, "y": 6, "z": 2}},
+    "couplet-meso-coarse": {ACCURACY: "2 %"},
+    "wallette-mode-1": {ACCURACY: "2 %"},
+    "wallette-mode-2": {ACCURACY: "2 %"},
+    "bending-0": {ACCURACY: "4 %", "specimen.points_per_edge": {"x": 2, "y": 6, "z": 2}},
 }
-"""The scenes, and how they run otherwise than shipped.
-
-At 1 % some variations leave the ends of a specimen with forces that differ by more than 2 % for a moment. Six points
-through the thickness of the wall in bending change its peak by 0.3 %.
+"""The scenes, and how they run otherwise than shipped: with loading errors that move peak, final stress and dissipated
+energy by 0.3 % at most, where 0.5 % is felt. Six points through the thickness of the wall in bending change its peak by
+0.3 %.
 """
 DEAR = ("couplet-meso-coarse", "bending-0")
 SPARED = ("density", "displacement", "accuracy")
@@ -29,8 +27,8 @@ QUICK = ("couplet", "wallette-mode-1")
 INTRODUCTION = (
     "What the paper does not give is assumed, and each assumption is varied by itself here, both ways where that makes "
     "sense. A bar spans all the variations of one entry: orange up, blue down. The final stress is given in percent of "
-    "the base's peak, as it is close to nothing where a crack opens in full. The runs aim at a loading error of 1 % "
-    "or less, so that changes of less than that may be the loading's."
+    "the base's peak, as it is close to nothing where a crack opens in full. The loading moves none of the "
+    "three by more than 0.3 %; runs that it moves more are made again with less of it."
 )
 
 
@@ -49,13 +47,14 @@ def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]
 
 
 def pair(case: str, v: Variation) -> dict[str, Run]:
-    """The base run and the varied one, by their labels."""
-    base = {**PACE[case], **v.base}
+    """The base run and the varied one, by their labels; that of another accuracy beside the shipped one."""
+    own_pace = ACCURACY in v.knobs
+    base = {**({} if own_pace else PACE[case]), **v.base}
     varied = f"{case}: {v.entry} {v.label}"
     named = ", ".join(f"{key} = {value}" for key, value in v.base.items())
     return {
-        f"{case}: {named or 'base'}": Run(case, base),
-        varied: Run(case, {**base, **v.knobs}),
+        f"{case}: {named or ('as shipped' if own_pace else 'base')}": Run(case, base, own_pace=own_pace),
+        varied: Run(case, {**base, **v.knobs}, own_pace=own_pace),
     }
 
 

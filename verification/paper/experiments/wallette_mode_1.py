@@ -54,14 +54,14 @@ def runs(quick: bool) -> dict[str, Run]:
     made: dict[str, Run] = {}
     for angle in ANGLES:
         given = {DILATION: f"{angle} deg"} if angle != 2 else {}
-        made[dilated(angle)] = Run(MODE_1, given, True)
+        made[dilated(angle)] = Run(MODE_1, given, pace_check=True)
         if angle == 2 or not quick:
-            made[dilated(angle, True)] = Run(MODE_1, {**HINGED, **given}, True)
+            made[dilated(angle, True)] = Run(MODE_1, {**HINGED, **given}, pace_check=True)
     if not quick:
         made |= {ended(cutoff): Run(MODE_1, {CUTOFF: cutoff}) for cutoff in CUTOFFS}
         made |= {
             "affine units": Run(MODE_1, AFFINE),
-            "affine units, right plate on a hinge": Run(MODE_1, {**AFFINE, **HINGED}, True),
+            "affine units, right plate on a hinge": Run(MODE_1, {**AFFINE, **HINGED}, pace_check=True),
             RATE: Run(MODE_1, PAPERS_RATE),
         }
     return quick_enough(made, quick)
@@ -88,7 +88,7 @@ def show(done: Done) -> Section:
     """Geometry, curves, cracks, dilation."""
     specimen, joints = joined(given := scene.load(MODE_1))
     geometry = geometry_figure(given, specimen, joints)
-    beside = [label for label in done if label in (SHIPPED, HINGE, RATE) or label.startswith("affine")]
+    beside = [label for label in done.asked if label in (SHIPPED, HINGE, RATE) or label.startswith("affine")]
     lines = [pictures.stress_line(label, done[label]) for label in beside]
     angles = {
         f"Fig. 12: {name}": [pictures.stress_line(f"dilation {a} degrees", done[dilated(a, hinge)]) for a in ANGLES]
@@ -105,7 +105,7 @@ def show(done: Done) -> Section:
         page.picture(geometry, "Fig. 9, ours: the wallette, its plates and its drive.", "half", pixels=True),
         page.picture(drawn, "Figs. 10 and 12, ours. Dotted: the bounds of the peak by hand, 0.114 and 0.214 MPa."),
         page.picture(gallery, "Fig. 11, ours: cracks at the peak and at the end.", pixels=True),
-        *table_of_runs(done, [label for label in done if done.has(label)]),
+        *table_of_runs(done, [label for label in done.asked if done.has(label)]),
     ]
     return Section(parts, claims(done))
 
@@ -113,7 +113,7 @@ def show(done: Done) -> Section:
 def claims(done: Done) -> list[Claim]:
     """What section 5.1 says, and what is known beforehand."""
     shipped, hinge = done[SHIPPED], done[HINGE]
-    peaks = {label: mpa(done[label]) for label in done if done.has(label)}
+    peaks = {label: mpa(done[label]) for label in done.asked if done.has(label)}
     made = [*claims_on_the_crack(peaks, shipped, hinge), *dilation_claims(done), plates_claim(hinge, shipped, PLATES)]
     if done.has(RATE):
         made += [rate_claim(shipped, done[RATE], "5.1"), cutoff_claim(done)]

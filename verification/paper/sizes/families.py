@@ -41,7 +41,7 @@ class Family:
     name: str
     scene: str
     settings: Mapping[str, Any] = field(default_factory=dict)
-    halve: bool = False
+    pace_check: bool = False
     sudden: str = ""
 
 
