@@ -42,6 +42,8 @@ def retire(model: Model, large: Large) -> None:
     gained: no less, but where the shear of bonds that stick was spread otherwise than their pressure.
     """
     bonds, search, account = large.bonds, large.near.search, large.near.account
+    if not bonds.alive.any():
+        return
     broken = bonds.alive & (_broken(model, large) | _slid_past(model, large, bonds.alive))
     if not broken.any():
         return
