@@ -29,6 +29,8 @@ CLOSED = 0.0025
 like cracks where it opens, and like a layer between the units where it closes."""
 LITTLE = 4.0
 """How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
+BESIDE = 0.3
+"""Height over length above which two panels stand beside each other."""
 KEY_WIDTH = 2.0
 """Inches of an entry of the legend."""
 
@@ -74,31 +76,31 @@ def largest_move(frame: Frame) -> float:
 def cracks_figure(result: "ResultData") -> Any:
     """A figure of one panel a frame, side by side, or one above the other for long specimens."""
     panels = frames_to_draw(result)
-    beside = _ratio(drawing_of(result)) > 0.3
-    figure = gallery([(name, result, frame) for name, frame in panels], 2 if beside else 1)
+    figure = gallery([(name, result, frame) for name, frame in panels], None)
     figure.suptitle(plain(result.title), fontsize=13, wrap=True)
     return figure
 
 
 def gallery(
     panels: "Sequence[tuple[str, ResultData, Frame]]",
-    columns: int = 2,
+    columns: int | None = 2,
     view: str | None = None,
     times: float | None = None,
 ) -> Any:
     """A figure of panels in rows: (name, result, one of its frames) each, with one key and one scale to them all.
 
+    columns  None: two, or one where what is drawn is long
     view   "front", "back" as the tension face of a wall in bending, "side", or "iso" from the front, the right and
            above; by default that which shows how it falls, else the front
     times  by how much displacements are drawn larger; by default so that they show, panel by panel
     """
     from masonry.pictures.figure import ShownFigure
 
-    columns = max(min(columns, len(panels)), 1)
-    rows = max(-(-len(panels) // columns), 1)
     drawings = {id(result): drawing_of(result, view) for _, result, _ in panels}
     shown = [drawings[id(result)] for _, result, _ in panels]
     ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
+    columns = max(min(columns or (2 if ratio > BESIDE else 1), len(panels)), 1)
+    rows = max(-(-len(panels) // columns), 1)
     width = 14.0 if len(panels) > 1 else 9.0
     height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
     figure = ShownFigure(figsize=(width, height))
