@@ -60,7 +60,7 @@ class Problem:
     converged  the knob whose settings converge, each twice as fine as the one before
     units      quantity -> unit
     shipped    knob and setting that a user gets who asks for nothing
-    dear       left out of a quick report
+    dear       left out of a quick report: it takes long, or another one shows nearly the same
     """
 
     name: str

@@ -134,5 +134,6 @@ PROBLEMS = (
         exact=rocked,
         units={"energy of motion": "J"},
         shipped=(STEP, "0.9"),
+        dear=True,
     ),
 )

@@ -72,5 +72,6 @@ PROBLEMS = (
         measure=measured,
         theory=exact,
         units={STIFFNESS: "N/m"},
+        dear=True,
     ),
 )

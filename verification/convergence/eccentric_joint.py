@@ -79,5 +79,6 @@ PROBLEMS = (
         base=FEW_ROWS | {"displacements": "large"},
         exact=exact,
         kind="refined model",
+        dear=True,
     ),
 )

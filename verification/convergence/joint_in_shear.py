@@ -64,6 +64,7 @@ def problem(law: str, confinement: str) -> Problem:
         knobs=pace(STEPS) | {"kinematics": motions()},
         base={"law": law, "confinement": confinement, **FEW_ROWS},
         exact=exact,
+        dear=law != "linear",
     )
 
 

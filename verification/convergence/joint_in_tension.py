@@ -36,7 +36,8 @@ def exact(one: SceneRun) -> dict[str, float]:
 def problem(law: str) -> Problem:
     """One law of the joint."""
     title = f"Joint and glue in tension, {law} law"
-    return Problem(f"tension-{law}", title, SCENE, pace(64000), {"law": law, **FEW_ROWS}, exact=exact)
+    base = {"law": law, **FEW_ROWS}
+    return Problem(f"tension-{law}", title, SCENE, pace(64000), base, exact=exact, dear=law != "linear")
 
 
 PROBLEMS = tuple(map(problem, ("linear", "polynomial", "exponential")))

@@ -81,7 +81,8 @@ def wallette(mode: int) -> Problem:
         "model: law": laws(quick),
     }
     name = f"wallette-mode-{mode}"
-    return Problem(name, f"Wallette, failure mode {mode}, as shipped", name, knobs, converged=ACCURACY)
+    title = f"Wallette, failure mode {mode}, as shipped"
+    return Problem(name, title, name, knobs, converged=ACCURACY, dear=mode == 1)
 
 
 def bending() -> Problem:
