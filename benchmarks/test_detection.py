@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from masonry.detection.broad import cells_of, near_pairs
-from masonry.detection.narrow import FACE, touch
+from masonry.detection.narrow import FACE
 from masonry.detection.transfer import transfer
 from masonry.jit.compiler import jit
-from tests.detection.touching import Bodies, box_blocks, cells, turn
+from tests.detection.touching import Bodies, box_blocks, cells, touch, turn
 from verification.reference_step.interleaved import in_turn, require
 
 ROUNDS, CALLS, CHAIN = 60, 500, 100_000

@@ -1,10 +1,13 @@
 """What all tests start from."""
 
 import gc
+import os
 import signal
 
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as in what a script starts in the background
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+os.environ.setdefault("MASONRY_COMPILERS", "1")  # tests run side by side already
 
 
 def pytest_collection_finish() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.large import LargeDisplacement
 from masonry.configuration.small import SmallDisplacement
+from masonry.jit.compiled_parts import StepCalls
 from masonry.model.model import Model
 
 
@@ -33,6 +34,9 @@ class Configuration(Protocol):
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         """Take some compiled steps of a chunk; drive_force (steps,) N out, after each. Raises Stopped."""
+
+    def program(self, threads: int, shared: np.ndarray) -> StepCalls:
+        """The parts of a step; `shared` as of kinematics/shared.py."""
 
     def after_row(self) -> None:
         """What changes between rows: bonds that have nothing left retire."""

@@ -16,7 +16,9 @@ from masonry.configuration.joint_forces import JointForces, forces_on_blocks, mo
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import written_arrays, written_in_large
-from masonry.kernels.large_step import advance
+from masonry.jit.compiled_parts import StepCalls
+from masonry.kernels.driver import Stepper
+from masonry.kernels.large_step import step
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA, BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
@@ -35,7 +37,7 @@ class LargeDisplacement:
     columns: tuple[str, ...] = tuple(LARGE_UNITS)
 
     def __init__(self, model: Model, large: Large) -> None:
-        self.model, self.parts = model, large
+        self.model, self.parts, self.stepper = model, large, Stepper()
 
     @property
     def skin(self) -> float:
@@ -44,16 +46,21 @@ class LargeDisplacement:
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         """Raises Stopped where blocks overlap deeply at once."""
         model, large, done = self.model, self.parts, 0
-        groups, contacts, bodies, drives = model.step_arguments()
         while done < steps or steps == 0:
-            done += advance(
-                *(first + done, steps - done, model.dt, model.damping, chunk.dead_load, chunk.speed),
-                *(groups, contacts, large.bonds, bodies, drives),
-                *(large.near, large.members, drive_force[done:]),
-            )
+            made_of = model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies, large.near
+            self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+            done += self.stepper.take(first + done, steps - done, chunk.dead_load, chunk.speed, drive_force[done:])
             if done == steps:
                 return
             make_room(model, large)
+
+    def program(self, threads: int, shared: np.ndarray) -> StepCalls:
+        model, large = self.model, self.parts
+        groups, contacts, bodies, drives = model.step_arguments()
+        return step(
+            *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
+            *(large.near, large.members, shared),
+        )
 
     def after_row(self) -> None:
         retire(self.model, self.parts)

@@ -13,7 +13,9 @@ from masonry.configuration.contacts import (
     sums_of_blocks,
 )
 from masonry.configuration.written import written_arrays
-from masonry.kernels.step import advance
+from masonry.jit.compiled_parts import StepCalls
+from masonry.kernels.driver import Stepper
+from masonry.kernels.step import step
 from masonry.model.model import Model
 
 LEAP = 1e-2
@@ -27,14 +29,17 @@ class SmallDisplacement:
     columns: tuple[str, ...] = ()
 
     def __init__(self, model: Model) -> None:
-        self.model = model
+        self.model, self.stepper = model, Stepper()
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
+        model = self.model
+        made_of = threads, model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies
+        self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+        self.stepper.take(first, steps, chunk.dead_load, chunk.speed, drive_force)
+
+    def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
-        advance(
-            *(parallel, first, steps, model.dt, model.damping, chunk.dead_load, chunk.speed),
-            *(*model.step_arguments(), drive_force),
-        )
+        return step(parallel, model.dt, model.damping, *model.step_arguments(), shared)
 
     def after_row(self) -> None:
         pass

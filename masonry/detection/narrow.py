@@ -17,7 +17,7 @@ from masonry.detection.clip import area_and_centroid
 from masonry.detection.contact_points import corner_point, crossing_point, polygon_points
 from masonry.detection.overlap import beside, common_plane, heights, overlap, point_of
 from masonry.detection.pieces import SNAP
-from masonry.jit.compiler import inlined, inner, jit
+from masonry.jit.compiler import inlined, inner
 
 NONE, FACE, EDGE = 0, 1, 2
 """Kinds: no contact; two faces, or a face and an edge or corner; two crossed edges."""
@@ -43,7 +43,7 @@ ROUND_OFF = 1e-9
 """Of the smaller radius: axes that are as good as each other."""
 
 
-@jit
+@inner
 def touch(
     pieces, turned, position, p, q, skin, reach, least, fixed, axis, witness, scratch, point, gap, area, feature
 ):  # fmt: skip

@@ -7,7 +7,6 @@ of its NamedTuple, and so in the types that the step is compiled for.
 """
 
 import contextlib
-import hashlib
 import os
 import re
 import shutil
@@ -94,8 +93,10 @@ def _refuse_python(dispatcher: Any) -> None:
 
 
 def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any]:
-    """A decorator that compiles, and keeps what it compiled in a folder of these sources."""
+    """A decorator that compiles, and keeps what it compiled in a folder of these sources; what Python cannot call in
+    another one: Numba's cache does not tell the ways to compile one function apart."""
     decorate = numba.njit(**OPTIONS | options)
+    folder = f"{folder}/inner" if folder and options.get("no_cpython_wrapper") else folder
 
     def compiled(function: Any) -> Any:
         numba.config.CACHE_DIR = folder or numba.config.CACHE_DIR
@@ -122,15 +123,27 @@ than the function in it."""
 inlined = _kept(STEP, _nrt=False, no_cpython_wrapper=True, forceinline=True)
 """The same for what is called in one place: an array is handed over as nine numbers, which costs as much as the work
 of a small function."""
-jit_parallel = _kept(f"{STEP}/threads", parallel=True) if STEP else _kept("", keep=False, parallel=True)
-"""Numba's cache does not tell the two ways to compile one function apart: in one folder, whichever came first is served
-for both.
-"""
+THREADS: dict[str, Any] = {"folder": f"{STEP}/threads"} if STEP else {"folder": "", "keep": False}
+jit_parallel = _kept(**THREADS, parallel=True)
+inner_parallel = _kept(**THREADS, parallel=True, no_cpython_wrapper=True)
 
 
 def is_kept(name: str, folder: str = STEP) -> bool:
     """Whether what has this name was compiled before, and is kept."""
     return bool(folder) and (Path(folder) / f"{name}.compiled").exists()
+
+
+def is_begun(name: str, folder: str = STEP) -> bool:
+    """Whether a process compiles what has this name just now."""
+    if not folder:
+        return False
+    from filelock import FileLock, Timeout
+
+    try:
+        with FileLock(Path(folder) / f"{name}.lock", timeout=0):
+            return False
+    except (OSError, Timeout):
+        return True
 
 
 @contextlib.contextmanager
@@ -158,9 +171,3 @@ def once(name: str, folder: str = STEP) -> Iterator[None]:
                 done.touch()
     finally:
         lock.release()
-
-
-def kind_of(arguments: tuple[Any, ...]) -> str:
-    """A name for the types of some arguments: what is compiled for one kind serves all of it."""
-    kinds = [numba.typeof(argument) for argument in arguments]
-    return hashlib.sha256(f"{kinds}".encode()).hexdigest()[:16]

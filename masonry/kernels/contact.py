@@ -4,7 +4,7 @@ from math import sqrt
 
 from numba import prange
 
-from masonry.jit.compiler import inner, jit, jit_parallel
+from masonry.jit.compiler import inner, inner_parallel, jit
 from masonry.jit.extending import register_jitable
 from masonry.laws.cone import acted, slip_of
 from masonry.laws.law_dispatch import contacts_at_once
@@ -75,8 +75,7 @@ def _sweep(
         put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 
 
-_sweep_serial = jit(_sweep)
-_sweep_parallel = jit_parallel(_sweep)
+_sweep_serial, _sweep_parallel = inner(_sweep), inner_parallel(_sweep)
 
 
 @inner

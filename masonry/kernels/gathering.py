@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.jit.compiler import inner, jit
+from masonry.jit.compiler import inner
 from masonry.kinematics.levers import axial
 from masonry.kinematics.matrices import (
     inverse,
@@ -40,7 +40,7 @@ class Members(NamedTuple):
     slope: np.ndarray
 
 
-@jit
+@inner
 def gather_velocities(motion, members, rigid, affine, tets):
     """Velocities, spins, rates of F and of stretching of all bodies, and the radii that they have now."""
     v, rate, radius, reach = motion.v, motion.rate, motion.radius, members.reach
@@ -70,7 +70,7 @@ def gather_velocities(motion, members, rigid, affine, tets):
             radius[b] = longest(matrix_at(motion.frame, b)) * reach[b]
 
 
-@jit
+@inner
 def gather_places(motion, members, rigid, affine, tets, bonds):
     """Places, deformation gradients and their inverses of all bodies, and the rotations that the bonds turn with."""
     moved, frame, dual = motion.moved, motion.frame, motion.dual
@@ -106,7 +106,7 @@ def gather_places(motion, members, rigid, affine, tets, bonds):
                 put_matrix(bonds.frames, members.tets[k], nearest_rotation(matrix_at(tets.frame, k)))
 
 
-@jit
+@inner
 def hand_over(motion, members, rigid, affine, tets):
     """Give the bodies the forces of the patches: rigid blocks moments, affine ones first moments, nodes forces."""
     push = motion.push

@@ -3,67 +3,121 @@
 A scene of small displacement compiles nothing of this file.
 """
 
-from masonry.jit.compiler import jit
-from masonry.kernels.bonds import from_frames, part_rigid, push_rigid, to_frames
-from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
-from masonry.kernels.step import pull, reaction, sweep_groups
-from masonry.kinematics.dispatch import move, update_positions
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from masonry.jit.compiled_parts import Call, CompiledPart, StepCalls
+from masonry.jit.records import unpack
+from masonry.kernels import bonds as bonded
+from masonry.kernels import gathering
+from masonry.kernels.bonds import Bonds
+from masonry.kernels.gathering import Members
+from masonry.kernels.step import displacing, driving, kicking, sweeping
+from masonry.kinematics.shared import SPARE, TRAVEL
+from masonry.patches.arrays import Near
 from masonry.patches.press import press
 from masonry.patches.press_deforming import press_deforming
-from masonry.patches.refreshing import count_travel, refresh
+from masonry.patches.refreshing import count_travel, looking
 
 
-@jit
-def advance(
-    first, steps, dt, damping, dead_load, speed, groups, contacts, bonds, bodies, drives, near, members, drive_force
-):
-    """Run up to `steps` steps from step number `first`; returns how many were run: fewer where room ran out.
+def step(
+    dt: float, damping: Any, groups: tuple, contacts: tuple, bonds: Bonds, bodies: Sequence[Any],
+    drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray,
+) -> StepCalls:  # fmt: skip
+    """The step of large displacement, for `driver.drive`: it ends where room runs out.
 
-    Arguments as of kernels.step.advance; contacts hold displacements and forces in the frames of the bonds.
-    bonds  Bonds
-    near   Near, what blocks meet
-    members  gathering.Members, where some blocks deform, else None
+    Arguments as of kernels.step.step; contacts hold displacements and forces in the frames of the bonds.
+    near     what blocks meet
+    members  where some blocks deform, else None
     """
-    parameters, properties, states, ranges = groups
-    sides, normal, area, local, force = contacts
-    rigid, affine, tets = bodies
-    rigid_drive, affine_drive, tet_drive = drives
-    if members is not None:
-        gather_places(near.motion, members, rigid, affine, tets, bonds)
-    spare = 0.0  # m, how far two blocks may travel until pairs are to be looked at
-    for k in range(steps):
-        n = first + k
-        if members is not None:
-            gather_velocities(near.motion, members, rigid, affine, tets)
-        step = 2.0 * count_travel(near.motion, dt, near.motion.strain)
-        spare -= step
-        if spare <= 0.0:
-            spare = refresh(near, step)
-        if spare < 0.0:
-            return k
-        update_positions(None, rigid, dt, bonds.u)
-        update_positions(None, affine, dt, bonds.u)
-        update_positions(None, tets, dt, bonds.u)
-        if members is not None:
-            gather_places(near.motion, members, rigid, affine, tets, bonds)
-        if members is None:
-            part_rigid(bonds, near.motion, local)
-        else:
-            to_frames(bonds, local)
-        sweep_groups(None, parameters, properties, states, 0, ranges, sides, normal, area, local, force)
-        if members is None:
-            press(near, dt)
-            push_rigid(bonds, near.motion, local, force)
-        else:
-            from_frames(bonds, force)
-            press_deforming(near, dt)
-            hand_over(near.motion, members, rigid, affine, tets)
-        loading = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
-        move(None, rigid, dt, damping, loading, bonds.force, bonds.u)
-        move(None, affine, dt, damping, loading, bonds.force, bonds.u)
-        move(None, tets, dt, damping, loading, bonds.force, bonds.u)
-        drive_force[k] = reaction(rigid, rigid_drive) + reaction(affine, affine_drive) + reaction(tets, tet_drive)
-        pull(rigid, rigid_drive, speed[n + 1])
-        pull(affine, affine_drive, speed[n + 1])
-        pull(tets, tet_drive, speed[n + 1])
-    return steps
+    *_, local, force = contacts
+    motion, sweeps = near.motion, sweeping(None, groups, contacts)
+    kicks = [*kicking(None, bodies, dt, damping, shared, bonds.force, bonds.u), *driving(bodies, drives, shared)]
+    moves, some_bonds = displacing(None, bodies, dt, bonds.u), len(bonds.runs) > 0
+    begins = [_travel.of(motion, dt, shared)]
+    if members is None:
+        parting = [_part_rigid.of(bonds, motion, local)] if some_bonds else []
+        pushing = [_push_rigid.of(bonds, motion, local, force)] if some_bonds else []
+        rest = [*moves, *parting, *sweeps, _press.of(near, dt), *pushing, *kicks]
+        return StepCalls([], begins, [looking(near, shared)], rest)
+    places = of_each_kind(places_of, bodies, motion, members, bonds)
+    velocities = of_each_kind(velocities_of, bodies, motion, members)
+    parting = [_to_frames.of(bonds, local)] if some_bonds else []
+    pushing = [_from_frames.of(bonds, force)] if some_bonds else []
+    patches = [_press_deforming.of(near, dt), *of_each_kind(patch_forces_on, bodies, motion, members)]
+    rest = [*moves, *places, *parting, *sweeps, *pushing, *patches, *kicks]
+    return StepCalls(places, [*velocities, *begins], [looking(near, shared)], rest)
+
+
+def of_each_kind(part: CompiledPart, bodies: Sequence[Any], *arguments: Any) -> list[Call]:
+    """A call for the bodies of each kind that there are: those of the other kinds are None in it."""
+    present = [kind for kind, body in enumerate(bodies) if body is not None]
+    return [
+        part.of(*arguments, *(body if kind == own else None for kind, body in enumerate(bodies))) for own in present
+    ]
+
+
+@CompiledPart
+def velocities_of(record):
+    """Gather the velocities of the bodies of one kind, the others being None."""
+    motion, members, rigid, affine, tets = unpack(record)
+    gathering.gather_velocities(motion, members, rigid, affine, tets)
+
+
+@CompiledPart
+def places_of(record):
+    """Gather their places."""
+    motion, members, bonds, rigid, affine, tets = unpack(record)
+    gathering.gather_places(motion, members, rigid, affine, tets, bonds)
+
+
+@CompiledPart
+def patch_forces_on(record):
+    """Hand them the forces of the patches."""
+    motion, members, rigid, affine, tets = unpack(record)
+    gathering.hand_over(motion, members, rigid, affine, tets)
+
+
+@CompiledPart
+def _travel(record):
+    motion, dt, shared = unpack(record)
+    shared[TRAVEL] = 2.0 * count_travel(motion, dt, motion.strain)
+    shared[SPARE] -= shared[TRAVEL]
+
+
+@CompiledPart
+def _part_rigid(record):
+    bonds, motion, local = unpack(record)
+    bonded.part_rigid(bonds, motion, local)
+
+
+@CompiledPart
+def _push_rigid(record):
+    bonds, motion, local, force = unpack(record)
+    bonded.push_rigid(bonds, motion, local, force)
+
+
+@CompiledPart
+def _to_frames(record):
+    bonds, local = unpack(record)
+    bonded.to_frames(bonds, local)
+
+
+@CompiledPart
+def _from_frames(record):
+    bonds, force = unpack(record)
+    bonded.from_frames(bonds, force)
+
+
+@CompiledPart
+def _press(record):
+    near, dt = unpack(record)
+    press(near, dt)
+
+
+@CompiledPart
+def _press_deforming(record):
+    near, dt = unpack(record)
+    press_deforming(near, dt)

@@ -1,91 +1,108 @@
 """The explicit step, Fig. 2 of the paper on one screen: displace, contact stresses, forces, velocities.
 
-Compiled for exactly the types that a scene uses: an absent part is None and leaves no code behind.
+A step is a list of parts, each a whole sweep over the bodies of a kind or the contacts of a group, compiled for exactly
+the types that it meets: an absent array is None and leaves no code behind; an absent body or group is no part at all.
 """
 
-from masonry.jit.compiler import inner, jit
-from masonry.jit.extending import overload
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from masonry.jit.compiled_parts import Call, CompiledPart, StepCalls
+from masonry.jit.records import unpack
 from masonry.kernels import contact
 from masonry.kinematics.dispatch import move, update_positions
+from masonry.kinematics.shared import DRIVE_FORCE, FACTOR, FACTOR_BEFORE, SPEED, SPEED_BEFORE
 
 
-@jit
-def advance(parallel, first, steps, dt, damping, dead_load, speed, groups, contacts, bodies, drives, drive_force):
-    """Run `steps` steps from step number `first`; all state is changed in place.
+def step(
+    parallel: bool | None, dt: float, damping: Any, groups: tuple, contacts: tuple, bodies: Sequence[Any],
+    drives: Sequence[Any], shared: np.ndarray,
+) -> StepCalls:  # fmt: skip
+    """The step of small displacement, for `driver.drive`.
 
-    damping    None, a number (xi of eq. 3) or Guided
-    dead_load  (n + 1,) share of the dead load at step 0..n; above 1: 1 + share of what its bodies hold as its change
-    speed      (n + 1,) velocity of the drive after step i, m/s
-    groups     (parameters, joints, states, ranges), one entry per contact group; ranges (2 G,) its first contact and
-               the one behind its last
-    contacts   (sides, normal, area, u, force)
-    bodies     (rigid, affine, tets), None where absent
-    drives     (K, 2) row and number of the dofs that the drive moves, one array per kinematics or None
-    drive_force  (steps,) out: force (N) that the drive exerts, after each step
+    parallel  True for the versions with threads, else None
+    damping   None, a number (xi of eq. 3) or Guided
+    groups    (parameters, joints, states, ranges), one entry per contact group; ranges (2 G,) its first contact and
+              the one behind its last
+    contacts  (sides, normal, area, u, force)
+    bodies    (rigid, affine, tets), None where absent
+    drives    (K, 2) row and number of the dofs that the drive moves, one array per kind of bodies or None
+    shared    what parts share, of kinematics/shared.py
     """
+    *_, u, force = contacts
+    return StepCalls(
+        [],
+        [],
+        [],
+        [
+            *displacing(parallel, bodies, dt, u),
+            *sweeping(parallel, groups, contacts),
+            *kicking(parallel, bodies, dt, damping, shared, force, u),
+            *driving(bodies, drives, shared),
+        ],
+    )
+
+
+def displacing(parallel: bool | None, bodies: Sequence[Any], dt: float, u: np.ndarray) -> list[Call]:
+    """Positions of all bodies, and the displacements of their points."""
+    return [_displace.of(parallel, body, dt, u) for body in bodies if body is not None]
+
+
+def sweeping(parallel: bool | None, groups: tuple, contacts: tuple) -> list[Call]:
+    """Forces of every contact group by its own law."""
     parameters, joints, states, ranges = groups
-    sides, normal, area, u, force = contacts
-    rigid_blocks, affine_blocks, tet_blocks = bodies
-    rigid_drive, affine_drive, tet_drive = drives
-    for k in range(steps):
-        n = first + k
-        update_positions(parallel, rigid_blocks, dt, u)
-        update_positions(parallel, affine_blocks, dt, u)
-        update_positions(parallel, tet_blocks, dt, u)
-
-        sweep_groups(parallel, parameters, joints, states, 0, ranges, sides, normal, area, u, force)
-
-        loading = dead_load[n + 1], dead_load[n], speed[n + 1], speed[n]
-        move(parallel, rigid_blocks, dt, damping, loading, force, u)
-        move(parallel, affine_blocks, dt, damping, loading, force, u)
-        move(parallel, tet_blocks, dt, damping, loading, force, u)
-
-        drive_force[k] = (
-            reaction(rigid_blocks, rigid_drive)
-            + reaction(affine_blocks, affine_drive)
-            + reaction(tet_blocks, tet_drive)
-        )
-        pull(rigid_blocks, rigid_drive, speed[n + 1])
-        pull(affine_blocks, affine_drive, speed[n + 1])
-        pull(tet_blocks, tet_drive, speed[n + 1])
+    numbers = zip(parameters, joints, states, ranges[::2], ranges[1::2], strict=True)
+    return [_sweep.of(parallel, *of_group, *contacts) for of_group in numbers]
 
 
-@inner
-def pull(body, dofs, speed):
-    """Set the velocity of the driven dofs."""
-    if dofs is None:
-        return
-    for k in range(len(dofs)):
-        body.v[dofs[k, 0], dofs[k, 1]] = speed
+def kicking(
+    parallel: bool | None, bodies: Sequence[Any], dt: float, damping: Any, shared: np.ndarray, force: np.ndarray,
+    u: np.ndarray,
+) -> list[Call]:  # fmt: skip
+    """Forces and velocities of all bodies."""
+    return [_kick.of(parallel, body, dt, damping, shared, force, u) for body in bodies if body is not None]
 
 
-@jit
-def reaction(body, dofs):
-    """Sum of the forces that hold the given dofs."""
-    if dofs is None:
-        return 0.0
+def driving(bodies: Sequence[Any], drives: Sequence[Any], shared: np.ndarray) -> list[Call]:
+    """What the drive does to the bodies that it moves."""
+    pairs = [(body, dofs) for body, dofs in zip(bodies, drives, strict=True) if body is not None and dofs is not None]
+    return [_drive.of(body.hold, body.v, dofs, shared) for body, dofs in pairs]
+
+
+@CompiledPart
+def _displace(record):
+    parallel, body, dt, u = unpack(record)
+    update_positions(parallel, body, dt, u)
+
+
+@CompiledPart
+def _sweep(record):
+    parallel, parameters, joint, state, first, last, sides, normal, area, u, force = unpack(record)
+    contact.sweep(parallel, parameters, joint, state, first, last, sides, normal, area, u, force)
+
+
+@CompiledPart
+def _kick(record):
+    parallel, body, dt, damping, shared, force, u = unpack(record)
+    loading = shared[FACTOR], shared[FACTOR_BEFORE], shared[SPEED], shared[SPEED_BEFORE]
+    move(parallel, body, dt, damping, loading, force, u)
+
+
+@CompiledPart
+def _drive(record):
+    """Add up the forces that hold the driven dofs, and set their velocity."""
+    hold, v, dofs, shared = unpack(record)
     total = 0.0
     for k in range(len(dofs)):
-        total += body.hold[dofs[k, 0], dofs[k, 1]]
-    return total
+        total += hold[dofs[k, 0], dofs[k, 1]]
+        v[dofs[k, 0], dofs[k, 1]] = shared[SPEED]
+    shared[DRIVE_FORCE] += total
 
 
-def sweep_groups(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
-    """Every contact group with its own compiled law."""
-    for i, (numbers, joint, state) in enumerate(zip(parameters, joints, states, strict=True)):
-        contact.sweep(parallel, numbers, joint, state, ranges[2 * i], ranges[2 * i + 1], sides, normal, area, u, force)
-
-
-@overload(sweep_groups)
-def _sweep_groups(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
-    if len(parameters) == 0:
-        return lambda parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force: None
-
-    def first_then_rest(parallel, parameters, joints, states, g, ranges, sides, normal, area, u, force):
-        contact.sweep(
-            *(parallel, parameters[0], joints[0], states[0], ranges[2 * g], ranges[2 * g + 1]),
-            *(sides, normal, area, u, force),
-        )
-        sweep_groups(parallel, parameters[1:], joints[1:], states[1:], g + 1, ranges, sides, normal, area, u, force)
-
-    return first_then_rest
+def reaction(body: Any, dofs: np.ndarray | None) -> float:
+    """Sum of the forces that hold the given dofs, in their order; 0 where there are none."""
+    if dofs is None or len(dofs) == 0:
+        return 0.0
+    return float(np.cumsum(body.hold[dofs[:, 0], dofs[:, 1]])[-1])

@@ -1,33 +1,40 @@
 """The TYPE of a set of blocks picks its loops; None (no such blocks) compiles to nothing; one version per threading."""
 
 import sys
+from collections.abc import Callable
 
-from masonry.jit.compiler import jit, jit_parallel
+from masonry.jit.compiler import inner, inner_parallel, jit, jit_parallel
 from masonry.jit.extending import overload
 
 _compiled: dict = {}
 
 
-def _loop(body_class: type, name: str, parallel: bool):
-    """The compiled loop `name` of the file in which a set of blocks is defined."""
-    key = body_class, name, parallel
+def _loop(body_class: type, name: str, compiler: Callable):
+    """The loop `name` of the file in which a set of blocks is defined, as a compiler makes it."""
+    key = body_class, name, compiler
     if key not in _compiled:
-        loop = getattr(sys.modules[body_class.__module__], name)
-        _compiled[key] = (jit_parallel if parallel else jit)(loop)
+        _compiled[key] = compiler(getattr(sys.modules[body_class.__module__], name))
     return _compiled[key]
+
+
+def _called_from_python(body, name: str, parallel):
+    return _loop(type(body), name, jit if parallel is None else jit_parallel)
+
+
+def _compiled_in(body, name: str, parallel):
+    return _loop(body.instance_class, name, inner_parallel if "bool" in str(parallel) else inner)
 
 
 def update_positions(parallel, body, dt, u):
     """First half of the step: advance the dofs by dt v, write the displacement of every point (rows of u)."""
     if body is not None:
-        _loop(type(body), "update_positions", parallel is not None)(body, dt, u)
+        _called_from_python(body, "update_positions", parallel)(body, dt, u)
 
 
 def move(parallel, body, dt, damping, loading, force, u):
     """Second half of the step: forces, damping, works, velocities; loading as in kinematics/motion.py."""
     if body is not None:
-        loop = _loop(type(body), "move", parallel is not None)
-        loop(body, dt, damping, loading, force, u)
+        _called_from_python(body, "move", parallel)(body, dt, damping, loading, force, u)
 
 
 def _is_absent(numba_type) -> bool:
@@ -38,7 +45,7 @@ def _is_absent(numba_type) -> bool:
 def _update_positions(parallel, body, dt, u):
     if _is_absent(body):
         return lambda parallel, body, dt, u: None
-    loop = _loop(body.instance_class, "update_positions", "bool" in str(parallel))
+    loop = _compiled_in(body, "update_positions", parallel)
     return lambda parallel, body, dt, u: loop(body, dt, u)
 
 
@@ -46,5 +53,5 @@ def _update_positions(parallel, body, dt, u):
 def _move(parallel, body, dt, damping, loading, force, u):
     if _is_absent(body):
         return lambda parallel, body, dt, damping, loading, force, u: None
-    loop = _loop(body.instance_class, "move", "bool" in str(parallel))
+    loop = _compiled_in(body, "move", parallel)
     return lambda parallel, body, dt, damping, loading, force, u: loop(body, dt, damping, loading, force, u)

@@ -4,18 +4,40 @@ import numpy as np
 
 from masonry.detection import placing
 from masonry.detection.broad import near_pairs, write_boxes
+from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inner
-from masonry.patches.arrays import NEED_PAIRS, NORMAL_GAINED, REASON, ROOM, SEARCHES, SHEAR_LOST
+from masonry.jit.records import call, unpack
+from masonry.patches.arrays import NEED_PAIRS, NORMAL_GAINED, REASON, ROOM, SEARCHES, SHEAR_LOST, Near
 from masonry.patches.pairs import begin_pair, copy_pair, copy_pairs
 from masonry.patches.press import stored
 
 
+def searching_for(near: Near) -> tuple[Call, np.ndarray]:
+    """What `find_pairs` needs to be called: the call, and where its answer stands."""
+    answer = np.zeros(1, dtype=bool)
+    return _find_pairs.of(near, answer), answer
+
+
 @inner
-def find_pairs(near):
+def find_pairs(searching):
     """All pairs that may meet before the next search; what is known of those that were near before stays.
 
     Blocks that do not move are no pair, nor are two that bonds hold together. False where there is no room.
     """
+    (function, record), answer = searching
+    call(function, record)
+    return answer[0]
+
+
+@CompiledPart
+def _find_pairs(record):
+    near, answer = unpack(record)
+    answer[0] = all_pairs(near)
+
+
+@inner
+def all_pairs(near):
+    """What `find_pairs` does."""
     motion, search = near.motion, near.search
     placing.update_pieces(near.pieces, motion.frame, near.turned)
     for b in range(len(motion.travel)):

@@ -1,13 +1,18 @@
 """Looking for contacts again: where a pair touches, and what its points remember; refreshing.py says when."""
 
 from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
 
 from masonry.detection import placing
 from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.placing import owner
 from masonry.detection.spread import spread
 from masonry.detection.transfer import transfer, turn_tractions
+from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inner
+from masonry.jit.records import call, unpack
 from masonry.kinematics.matrices import vector_at
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.patches.arrays import (
@@ -24,6 +29,7 @@ from masonry.patches.arrays import (
     SHEAR,
     SHEAR_LOST,
     TOO_DEEP,
+    Near,
     number_of,
     outward,
     put_number_of,
@@ -43,11 +49,61 @@ SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
+WHICH, FIXED, KIND, COUNT, ANSWER = range(5)
+SEPARATION, BLEND, SIZE = range(3)
+
+
+class Touch(NamedTuple):
+    """What is asked of a pair, and what a look finds.
+
+    whole  (5,) WHICH pair; whether the faces that touched last are FIXED; KIND of contact, COUNT of points; ANSWER
+    real   (3,) SEPARATION (m), BLEND and SIZE (m) as `touch` returns them
+    """
+
+    whole: np.ndarray
+    real: np.ndarray
+
+
+def looking_at(near: Near) -> tuple[Call, Touch]:
+    """What `look` needs to be called: the call, and room for what it asks and finds."""
+    touch = Touch(np.zeros(5, dtype=np.int64), np.zeros(3))
+    return _look.of(near, _touch.of(near, touch), touch), touch
 
 
 @inner
-def look(near, p):
+def look(looking, p):
     """Where pair p touches now; its points take over what they remember. False without room."""
+    (function, record), query = looking
+    query.whole[WHICH] = p
+    call(function, record)
+    return query.whole[ANSWER] != 0
+
+
+@CompiledPart
+def _look(record):
+    near, touching, query = unpack(record)
+    query.whole[ANSWER] = answer_of(near, touching, query)
+
+
+@CompiledPart
+def _touch(record):
+    near, query = unpack(record)
+    p, pairs, search, footprint = query.whole[WHICH], near.pairs, near.search, near.footprint
+    least = min(search.least[pairs.body[p, 0]], search.least[pairs.body[p, 1]])
+    # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
+    kind, count, separation, blend, size = touch(
+        *(near.pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], search.skin[0], FAR, least),
+        *(query.whole[FIXED] != 0, pairs.axis[p], pairs.witness[p], near.scratch),
+        *(footprint.point, footprint.gap, footprint.area, footprint.feature),
+    )
+    query.whole[KIND], query.whole[COUNT] = kind, count
+    query.real[SEPARATION], query.real[BLEND], query.real[SIZE] = separation, blend, size
+
+
+@inner
+def answer_of(near, touching, query):
+    """What `look` returns."""
+    p = query.whole[WHICH]
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
     footprint, a, b = near.footprint, pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
@@ -58,16 +114,14 @@ def look(near, p):
     pairs.face[p, 0] = pairs.face[p, 1] = -1
     if pairs.witness[p, 0] == FACE:
         pairs.face[p, 0], pairs.face[p, 1] = pairs.witness[p, 1], pairs.witness[p, 2]
-    skin, least, axis = search.skin[0], min(search.least[a], search.least[b]), pairs.axis[p]
+    skin = search.skin[0]
     search.tally[LOOKS] += 1
-    # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
     of_tets, sunk = pieces.block[a] != a or pieces.block[b] != b, False
     while True:
-        kind, count, separation, blend, size = touch(
-            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], skin, FAR, least, sunk),
-            *(axis, pairs.witness[p], near.scratch),
-            *(footprint.point, footprint.gap, footprint.area, footprint.feature),
-        )
+        query.whole[FIXED] = sunk
+        call(touching[0], touching[1])
+        kind, count = query.whole[KIND], query.whole[COUNT]
+        separation, blend, size = query.real[SEPARATION], query.real[BLEND], query.real[SIZE]
         if sunk or of_tets or kind == NONE or not is_sunk(near, p, count):
             break
         sunk = True

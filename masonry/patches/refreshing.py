@@ -8,11 +8,17 @@ nothing is near its limit, as in a wall that stands, no pair is asked for many s
 
 from math import sqrt
 
+import numpy as np
+
 from masonry.detection.narrow import FACE
+from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inlined, inner, jit
+from masonry.jit.records import unpack
 from masonry.kinematics.matrices import dot, vector_at
-from masonry.patches.pair_search import find_pairs
-from masonry.patches.redetection import look
+from masonry.kinematics.shared import SHARED, SPARE, TRAVEL
+from masonry.patches.arrays import Near
+from masonry.patches.pair_search import find_pairs, searching_for
+from masonry.patches.redetection import look, looking_at
 from masonry.patches.relative_motion import stays
 from masonry.patches.slack import settle
 from masonry.simd import EIGHT, eight, eight_rows, filled, maximum, total
@@ -21,18 +27,37 @@ ALMOST = 0.999
 """Of the travel that is left: sums of many steps are rounded."""
 
 
-@jit
-def refresh(near, step=0.0):
+def refresh(near: Near, step: float = 0.0) -> float:
     """Look at all pairs that the travel so far may have changed; step (m): what two blocks travel at most in this step.
 
     Returns how far (m) any two blocks may travel, together, until that is to be asked again; below 0 where the step
     cannot be taken.
     """
+    shared = np.zeros(SHARED)
+    shared[TRAVEL] = step
+    looking(near, shared)()
+    return float(shared[SPARE])
+
+
+def looking(near: Near, shared: np.ndarray) -> Call:
+    """The call of what `refresh` does, with the travel of this step in `shared`; leaves there what it returns."""
+    return _refresh.of(near, *searching_for(near), *looking_at(near), shared)
+
+
+@CompiledPart
+def _refresh(record):
+    near, find, answer, look_at, touch, shared = unpack(record)
+    shared[SPARE] = spare_after(near, (find, answer), (look_at, touch), shared[TRAVEL])
+
+
+@inner
+def spare_after(near, searching, looking, step):
+    """What `refresh` returns; `searching` and `looking` as of pair_search.py and redetection.py."""
     search, pairs, travel = near.search, near.pairs, near.motion.travel
     widened = widen(search, step)
     spare, looked = search.skin[0] - farthest(travel, search.built), False
     if widened or spare < 0.0:
-        if not find_pairs(near):
+        if not find_pairs(searching):
             return -1.0
         spare = search.skin[0]
     body, mark, limit = pairs.body, pairs.mark, pairs.limit
@@ -40,13 +65,13 @@ def refresh(near, step=0.0):
         moved = travel[body[p, 0]] + travel[body[p, 1]] - mark[p]
         if moved > limit[p] and not stays(near, p):
             looked = True
-            if not look(near, p):
+            if not look(looking, p):
                 return -1.0
             call_others(near, p)
         spare = min(spare, limit[p] - moved)
     if not looked:
         return ALMOST * spare
-    if not look_together(near):
+    if not look_together(near, looking):
         return -1.0
     settle(near)
     return 0.0
@@ -80,7 +105,7 @@ def call_others(near, p):
 
 
 @inner
-def look_together(near):
+def look_together(near, looking):
     """Look at the patches of stale faces, and at pairs of stale blocks that nearly touch; False without room.
 
     A block that slides over a seam stands on one patch before and one behind it. Cut in the same step, they make up the
@@ -97,7 +122,7 @@ def look_together(near):
             apart = pairs.slot[p] < 0
             if not (nearly_touches(pairs, near.pieces.block, search, p) if apart else on_stale_face(pairs, search, p)):
                 continue
-            if not look(near, p):
+            if not look(looking, p):
                 return False
             if apart and pairs.slot[p] >= 0:
                 call_others(near, p)

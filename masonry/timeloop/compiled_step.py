@@ -1,17 +1,14 @@
 """The compiled step of a model: made or loaded from the cache, and taken."""
 
-import hashlib
-
 import numpy as np
 
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
-from masonry.jit.compiler import is_kept, kind_of, once
+from masonry.kinematics.shared import SHARED
 from masonry.model.model import Model
 from masonry.monitors.collisions.collision import compile_look
 from masonry.runtime.interrupts import interruptible_wait
-from masonry.runtime.processors import compiled_for
 
 
 def compile_for(model: Model, threads: int) -> None:
@@ -27,21 +24,12 @@ def compile_for(model: Model, threads: int) -> None:
         if not configuration.any_size:
             compile_look(model)
 
-    with once(_kind(model, threads)):
-        interruptible_wait(compile_step)
+    interruptible_wait(compile_step)
 
 
 def is_compiled(model: Model, threads: int) -> bool:
-    """Whether the step for such a model is there to be loaded."""
-    return is_kept(_kind(model, threads))
-
-
-def _kind(model: Model, threads: int) -> str:
-    """The name of all models that one compiled step serves: on machines of a cluster that share a cache, others may be
-    compiled for another processor."""
-    parallel = True if threads > 1 else None
-    kind = kind_of((parallel, model.damping, *model.step_arguments()))
-    return hashlib.sha256(f"{kind} {compiled_for()}".encode()).hexdigest()[:16]
+    """Whether all parts of the step of such a model are there to be loaded."""
+    return configuration_of(model).program(threads, np.zeros(SHARED)).is_compiled
 
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:

@@ -25,7 +25,6 @@ from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
-from masonry.timeloop.compiled_step import advance_model
 from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
 
@@ -116,9 +115,9 @@ class Loop:
         """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
         count, drive_force = chunk.steps, np.zeros(chunk.steps)
         if count > 1:
-            advance_model(self.model, chunk, self.threads, 0, count - 1, drive_force)
+            self.configuration.advance(chunk, self.threads, 0, count - 1, drive_force)
         before = energy.velocities(self.model)
-        advance_model(self.model, chunk, self.threads, count - 1, 1, drive_force[count - 1 :])
+        self.configuration.advance(chunk, self.threads, count - 1, 1, drive_force[count - 1 :])
         self.dead_load_factor = min(float(chunk.dead_load[-1]), 1.0)
         try:
             self.watch.check(done + count)

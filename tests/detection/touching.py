@@ -11,12 +11,15 @@ from geometry.cells.power import tessellate
 from geometry.cells.power_blocks import to_blocks
 from geometry.polyhedra.construct import from_boxes, from_faces
 from geometry.polyhedra.measures import centroids
-from masonry.detection.narrow import touch
+from masonry.detection import narrow
 from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
 from masonry.detection.placing import turned_of, update_pieces
+from masonry.jit.compiler import jit
 
 FAR = 1e300
+touch = jit(narrow.touch.py_func)
+"""As Python may call it."""
 
 
 class Touching(NamedTuple):

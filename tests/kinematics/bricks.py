@@ -3,7 +3,8 @@
 import numpy as np
 
 from masonry.configuration.energy import present
-from masonry.kernels.step import advance
+from masonry.kernels.driver import Stepper
+from masonry.kernels.step import step
 from masonry.kinematics import deforming, deforming_tets, turning
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.turning import Turning
@@ -50,10 +51,10 @@ def fly(body: Turning, dt: float, steps: int, damping=None, speed=0.0, drive=Non
     """Steps without contacts, through the compiled step."""
     nothing = in_rows(np.zeros((1, 3)))
     contacts = np.zeros((0, 2), dtype=np.uint32), np.zeros((0, 3)), np.zeros(0), nothing, nothing
-    groups = (), (), (), np.zeros(1, dtype=np.uint32)
-    clocks = np.ones(steps + 1), np.full(steps + 1, speed)
-    bodies, drives = (body, None, None), (drive, None, None)
-    advance(None, 0, steps, dt, damping, *clocks, groups, contacts, bodies, drives, np.zeros(steps))
+    groups = (), (), (), np.zeros(0, dtype=np.uint32)
+    bodies, drives, stepper = (body, None, None), (drive, None, None), Stepper()
+    stepper.prepare(lambda shared: step(None, dt, damping, groups, contacts, bodies, drives, shared))
+    stepper.take(0, steps, np.ones(steps + 1), np.full(steps + 1, speed), np.zeros(steps))
 
 
 def kinetic_of_a_brick(body: Turning, before: np.ndarray) -> float:

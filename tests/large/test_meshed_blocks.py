@@ -11,7 +11,7 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration import energy, model_state
 from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
-from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
+from masonry.kernels.large_step import of_each_kind, patch_forces_on, places_of, velocities_of
 from masonry.laboratory import laboratory
 from masonry.model.large.block_motion import outer_tets
 from masonry.patches.press import stored_energy
@@ -160,9 +160,19 @@ def test_a_run_that_goes_on_from_what_was_kept_has_the_bits_of_a_whole_one():
 
 def gather(model) -> None:
     """As the step does after it has placed the blocks."""
-    large = model.large
-    gather_places(large.near.motion, large.members, *model.bodies, large.bonds)
-    gather_velocities(large.near.motion, large.members, *model.bodies)
+    large, motion = model.large, model.large.near.motion
+    make_all(of_each_kind(places_of, model.bodies, motion, large.members, large.bonds))
+    make_all(of_each_kind(velocities_of, model.bodies, motion, large.members))
+
+
+def hand_over(model) -> None:
+    """The forces of the patches to the bodies."""
+    make_all(of_each_kind(patch_forces_on, model.bodies, model.large.near.motion, model.large.members))
+
+
+def make_all(calls) -> None:
+    for call in calls:
+        call()
 
 
 def test_an_even_pressure_gives_every_node_its_share_of_the_area_whatever_the_two_meshes():
@@ -185,7 +195,7 @@ def test_an_even_pressure_gives_every_node_its_share_of_the_area_whatever_the_tw
     large = model.large
     assert refresh(large.near) >= 0.0
     press_deforming(large.near, 0.0)
-    hand_over(large.near.motion, large.members, *model.bodies)
+    hand_over(model)
     force, own = tets.patches, mesh.nodes[:, 2] == 0.125
     for which, sign in ((own & ~upper, -1.0), (own & upper, 1.0)):
         pushed = force[which]
@@ -223,7 +233,7 @@ def test_the_forces_on_nodes_are_the_derivatives_of_the_energy_that_is_stored():
     large = model.large
     assert refresh(large.near) >= 0.0
     press_deforming(large.near, 0.0)
-    hand_over(large.near.motion, large.members, *model.bodies)
+    hand_over(model)
     force, size = model.bodies.tets.patches.copy(), np.abs(model.bodies.tets.patches).max()
     assert size > 10.0
     for n in np.flatnonzero(np.abs(force).max(axis=1) > 0.0):

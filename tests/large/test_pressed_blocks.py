@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.gathering import gather_places, gather_velocities, hand_over
+from masonry.kernels.large_step import of_each_kind, patch_forces_on, places_of, velocities_of
 from masonry.kinematics import deforming
 from masonry.patches.arrays import SHEAR
 from masonry.patches.press import stored_energy
@@ -36,10 +36,19 @@ def pressed(turned: np.ndarray):
 
 def gather(model) -> None:
     """As the step does after it has placed the blocks."""
-    rigid, affine, tets = model.bodies
-    large = model.large
-    gather_places(large.near.motion, large.members, rigid, affine, tets, large.bonds)
-    gather_velocities(large.near.motion, large.members, rigid, affine, tets)
+    large, motion = model.large, model.large.near.motion
+    make_all(of_each_kind(places_of, model.bodies, motion, large.members, large.bonds))
+    make_all(of_each_kind(velocities_of, model.bodies, motion, large.members))
+
+
+def hand_over(model) -> None:
+    """The forces of the patches to the bodies."""
+    make_all(of_each_kind(patch_forces_on, model.bodies, model.large.near.motion, model.large.members))
+
+
+def make_all(calls) -> None:
+    for call in calls:
+        call()
 
 
 def pushes(model) -> np.ndarray:
@@ -101,7 +110,7 @@ def test_the_forces_leave_no_couple_and_both_bodies_are_given_theirs():
     for k in range(4):
         near.points.quads[0, k // FOUR, SHEAR:, k % FOUR] = 1.0e5, 0.5e5, 0.2e5
     push = pushes(model)
-    hand_over(near.motion, model.large.members, rigid, affine, None)
+    hand_over(model)
     place = near.motion.centre + near.motion.moved
     couple = [[m[1 + k, j] - m[1 + j, k] for j, k in ((1, 2), (2, 0), (0, 1))] for m in push]
     size = np.linalg.norm(couple[0])

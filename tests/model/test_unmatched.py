@@ -10,6 +10,8 @@ from geometry.meshes.fan_tets import gathered
 from geometry.meshes.nonmatching import surface_joints
 from geometry.meshes.tetrahedralise import mesh_blocks
 from masonry.configuration import energy
+from masonry.configuration.chunk import Chunk
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import present
 from masonry.model.layout import KINDS, Material
 from masonry.model.model import Stepping, sort_by_group
@@ -163,15 +165,10 @@ def test_the_energy_balance_closes(pair, damping):
 @pytest.mark.slow
 @pytest.mark.parametrize("pair", PAIRS, indirect=True, ids="-".join)
 def test_two_threads_take_the_same_steps(pair):
-    from masonry.kernels.step import advance
-
     found = []
-    for parallel in (None, True):
+    for threads in (1, 2):
         model = models.make(pair, gravity=(1.0, 0.0, -9.81))
-        drive_force, share, speed = np.zeros(50), np.full(51, 1.0), np.zeros(51)
-        advance(
-            *(parallel, 0, 50, model.dt, model.damping, share, speed),
-            *(*model.step_arguments(), drive_force),
-        )
+        chunk = Chunk(np.full(51, 1.0), np.zeros(51), False)
+        configuration_of(model).advance(chunk, threads, 0, 50, np.zeros(50))
         found.append(model.contacts.u.copy())
     assert np.array_equal(*found)

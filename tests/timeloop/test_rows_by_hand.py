@@ -72,7 +72,7 @@ def test_the_frame_of_the_peak_is_the_first_of_those_within_a_thousandth_of_it()
 
 def test_the_place_of_the_drive_is_the_sum_of_its_way_or_what_the_loading_knows_better(monkeypatch):
     loop, taken = loop_of(), []
-    monkeypatch.setattr("masonry.timeloop.loop.advance_model", lambda *args: taken.append(args[3:5]))
+    monkeypatch.setattr(loop.configuration, "advance", lambda *args: taken.append(args[2:4]))
     loop.take_steps(4000, Chunk(np.ones(4), np.array([0.0, 1.0, 2.0, 3.0]), True))
     assert loop.place == pytest.approx(3.0 * loop.model.dt) and taken == [(0, 2), (2, 1)]
     loop.take_steps(4003, Chunk(np.full(3, 1.7), np.array([3.0, 3.0, 0.0]), True, place=0.125))

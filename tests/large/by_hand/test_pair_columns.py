@@ -8,7 +8,7 @@ from masonry.configuration import model_state
 from masonry.configuration.room import make_room
 from masonry.jit.compiler import jit
 from masonry.patches.arrays import NEED_PAIRS, REASON, ROOM
-from masonry.patches.pair_search import find_pairs
+from masonry.patches.pair_search import all_pairs
 from masonry.patches.pairs import COLUMNS, FAR, PatchPairs, copy_pairs, no_pairs
 from masonry.patches.refreshing import refresh
 from tests.large.made import dry, slab
@@ -77,7 +77,7 @@ def test_more_room_for_pairs_keeps_all_columns():
 @jit
 def search(near):
     """What `refresh` begins with."""
-    return find_pairs(near)
+    return all_pairs(near)
 
 
 def test_pairs_that_stay_near_keep_all_columns_as_another_one_goes_and_comes_back_as_new():

@@ -1,0 +1,112 @@
+"""Parts: functions of one record that are compiled for themselves, once for all scenes that need them.
+
+A step is a list of them (`StepCalls`), which one small driver calls in turn, by their addresses: what is compiled for
+a law, a kind of bodies or an observer serves every scene that has it.
+"""
+
+import hashlib
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from masonry.jit.compiler import inner, is_kept, jit, once
+from masonry.jit.records import ArgumentRecord, RecordKind, call, kind_of
+from masonry.jit.workers import compile_all
+
+
+class CompiledPart:
+    """A function of one record. What it is compiled to depends on the type of the record alone."""
+
+    def __init__(self, function: Callable[[Any], None]) -> None:
+        self.module, self.name, self.compiled = function.__module__, function.__name__, inner(function)
+
+    def of(self, *arguments: Any) -> "Call":
+        """A call of it with these arguments; nothing is compiled yet."""
+        return Call(self, arguments)
+
+    def stamp(self, kind: RecordKind) -> str:
+        """The name of what it is compiled to for a kind of record, on such a processor."""
+        processor = self.compiled.targetctx.codegen().magic_tuple()
+        return hashlib.sha256(f"{self.module} {self.name} {kind} {processor}".encode()).hexdigest()[:16]
+
+    def is_compiled(self, kind: RecordKind) -> bool:
+        """Whether it need not be compiled for a kind of record, but loaded from the cache at most."""
+        return (kind,) in self.compiled.overloads or is_kept(self.stamp(kind))
+
+    def compile(self, kind: RecordKind) -> None:
+        """Compile it for a kind of record, or load it from the cache, the first time."""
+        if (kind,) not in self.compiled.overloads:
+            with once(self.stamp(kind)):
+                self.compiled.compile((kind,))
+
+    def address(self, kind: RecordKind) -> int:
+        """Where its machine code for a kind of record stands."""
+        self.compile(kind)
+        result = self.compiled.overloads[(kind,)]
+        return int(result.library.get_pointer_to_function(result.fndesc.llvm_func_name))
+
+
+class Call:
+    """A part and its arguments, of which some may be calls that it makes: it finds their two addresses in its record.
+
+    Numbers among the arguments are those of now, arrays are shared.
+    """
+
+    def __init__(self, part: CompiledPart, arguments: tuple[Any, ...]) -> None:
+        self.part, self.arguments = part, arguments
+
+    @property
+    def nested(self) -> list["Call"]:
+        """The calls that it makes, each after those that it makes itself."""
+        calls = [one for one in self.arguments if isinstance(one, Call)]
+        return [inner for one in calls for inner in (*one.nested, one)]
+
+    @cached_property
+    def kind(self) -> RecordKind:
+        return kind_of(*((0, 0) if isinstance(one, Call) else one for one in self.arguments))
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether its own part need not be compiled, but loaded from the cache at most."""
+        return self.part.is_compiled(self.kind)
+
+    @cached_property
+    def addresses(self) -> tuple[int, int]:
+        """Of the machine code and of the record; compiles what is not compiled yet."""
+        values = (one.addresses if isinstance(one, Call) else one for one in self.arguments)
+        self.record = ArgumentRecord(self.kind, tuple(values))
+        return self.part.address(self.kind), self.record.address
+
+    def __call__(self) -> None:
+        """Make the call, from Python."""
+        make(*self.addresses)
+
+
+@jit
+def make(function, record):
+    """Make a call by its addresses."""
+    call(function, record)
+
+
+class StepCalls:
+    """Calls one after the other, in sections: (K, 2) addresses of parts and records, and bounds of the sections."""
+
+    def __init__(self, *sections: Sequence[Call]) -> None:
+        self.calls = [call for section in sections for call in section]
+        self.bounds = np.cumsum([0, *map(len, sections)])
+
+    @property
+    def is_compiled(self) -> bool:
+        return all(call.is_compiled for call in self.all_calls)
+
+    @property
+    def all_calls(self) -> list[Call]:
+        """Its calls and those that they make."""
+        return [inner for call in self.calls for inner in (*call.nested, call)]
+
+    def addresses(self) -> np.ndarray:
+        """(K, 2); compiles what is not compiled yet."""
+        compile_all([(one.part, one.kind) for one in self.all_calls])
+        return np.array([call.addresses for call in self.calls], dtype=np.int64).reshape(-1, 2)

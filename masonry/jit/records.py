@@ -1,0 +1,123 @@
+"""Records: the arguments of a compiled function as one piece of memory, so that all such functions have one signature.
+
+A record holds a number of eight bytes for each float, integer and address; an array has its address, its shape and its
+strides there; what is None has nothing. The TYPE of a record says what is in it: compiled code takes its arguments out
+by `unpack`, as if they had been handed over one by one, and calls other such functions by `call`.
+"""
+
+import struct
+from collections.abc import Iterator
+from typing import Any
+
+import numba
+import numpy as np
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.datamodel import models
+from numba.extending import intrinsic, register_model
+
+WORD = ir.IntType(64)
+
+
+class RecordKind(types.Type):
+    """The Numba type of a record with these arguments (a type of tuples); its value is the address."""
+
+    def __init__(self, arguments: Any) -> None:
+        self.arguments = arguments
+        super().__init__(f"Record({arguments})")
+
+
+@register_model(RecordKind)
+class _Address(models.PrimitiveModel):
+    def __init__(self, manager: Any, kind: Any) -> None:
+        super().__init__(manager, kind, WORD)
+
+
+def kind_of(*arguments: Any) -> RecordKind:
+    """The type of a record with such arguments."""
+    return RecordKind(numba.typeof(arguments))
+
+
+class ArgumentRecord:
+    """Arguments in one piece of memory, whose arrays it keeps alive."""
+
+    def __init__(self, kind: RecordKind, arguments: tuple[Any, ...]) -> None:
+        self.arguments = arguments
+        self.words = np.fromiter(_words(kind.arguments, arguments), dtype=np.int64)
+        self.address = self.words.ctypes.data
+
+
+def _words(kind: Any, value: Any) -> Iterator[int]:
+    if isinstance(kind, types.BaseTuple):  # type: ignore[attr-defined]
+        for inner, part in zip(kind, value, strict=True):
+            yield from _words(inner, part)
+    elif isinstance(kind, types.Array):
+        yield from (value.ctypes.data, *value.shape, *value.strides)
+    elif isinstance(kind, types.Float) and kind.bitwidth == 64:
+        yield from struct.unpack("q", struct.pack("d", value))
+    elif isinstance(kind, (types.Integer, types.Boolean)):
+        yield int(value)
+    elif not isinstance(kind, types.NoneType):  # type: ignore[attr-defined]
+        raise TypeError(f"a record has no room for {kind}")
+
+
+@intrinsic
+def unpack(context, record):
+    """The arguments in a record, in a tuple."""
+    kind = record.arguments
+
+    def generate(context, builder, sig, args):
+        words = _Words(builder, args[0])
+        return words.take(context, kind)
+
+    return kind(record), generate
+
+
+class _Words:
+    """The words of a record, taken one after the other."""
+
+    def __init__(self, builder, address):
+        self.builder, self.next = builder, 0
+        self.begin = builder.inttoptr(address, WORD.as_pointer())
+
+    def word(self):
+        place = self.builder.gep(self.begin, [ir.Constant(WORD, self.next)])
+        self.next += 1
+        return self.builder.load(place)
+
+    def take(self, context, kind):
+        builder = self.builder
+        if isinstance(kind, types.BaseTuple):
+            return context.make_tuple(builder, kind, [self.take(context, inner) for inner in kind])
+        if isinstance(kind, types.Array):
+            array = context.make_array(kind)(context, builder)
+            data = builder.inttoptr(self.word(), array.data.type)
+            shape, strides = [self.word() for _ in range(kind.ndim)], [self.word() for _ in range(kind.ndim)]
+            from numba.np.arrayobj import populate_array  # tools of compiling, which a run that loads needs not
+
+            size = ir.Constant(WORD, np.dtype(str(kind.dtype)).itemsize)
+            populate_array(array, data, shape, strides, size, meminfo=None)
+            return array._getvalue()
+        if isinstance(kind, types.Float):
+            return builder.bitcast(self.word(), ir.DoubleType())
+        if isinstance(kind, (types.Integer, types.Boolean)):
+            value, wanted = self.word(), context.get_value_type(kind)
+            return value if wanted == WORD else builder.trunc(value, wanted)
+        return context.get_dummy_value()
+
+
+@intrinsic
+def call(context, function, record):
+    """Call a compiled function of one record, both by their addresses."""
+    sig = types.void(types.intp, types.intp)
+
+    def generate(context, builder, sig, args):
+        convention, own = context.call_conv, (types.intp,)
+        pointer = convention.get_function_type(types.none, own).as_pointer()
+        function = builder.inttoptr(args[0], pointer)
+        status, _ = convention.call_function(builder, function, types.none, own, [args[1]])
+        with cgutils.if_unlikely(builder, status.is_error):
+            convention.return_status_propagate(builder, status)
+        return context.get_dummy_value()
+
+    return sig, generate
