@@ -4,6 +4,7 @@ All costs of `cost.py` were measured on one machine, whose ratio is 1; one that 
 """
 
 import time
+from functools import cache
 
 import numpy as np
 
@@ -30,9 +31,10 @@ def keep(nanoseconds: float) -> None:
     write_record(RECORD, {RATIO: nanoseconds / MACHINE["point"]})
 
 
+@cache
 def kernel_seconds() -> float:
     """Of processor, for what a step and a row do: sums, roots and gathers of short arrays, and some Python; the
-    shortest of some rounds, as others may use the processor as well."""
+    shortest of some rounds, as others may use the processor as well. A process measures it once."""
     x, gather = np.linspace(0.0, 1.0, SIZE), (np.arange(SIZE) * 7) % SIZE
     rounds = []
     for _ in range(ROUNDS):
