@@ -35,7 +35,18 @@ class _Address(models.PrimitiveModel):
 
 def kind_of(*arguments: Any) -> RecordKind:
     """The type of a record with such arguments."""
-    return RecordKind(numba.typeof(arguments))
+    return RecordKind(_with_strides(numba.typeof(arguments), arguments))
+
+
+def _with_strides(kind: Any, value: Any) -> Any:
+    """The same type, but of rows with room behind their numbers also where there is one row alone: numpy takes it for
+    one piece, and one block would have other parts than many."""
+    if isinstance(kind, types.BaseTuple):  # type: ignore[attr-defined]
+        inner = [_with_strides(one, part) for one, part in zip(kind, value, strict=True)]
+        return types.BaseTuple.from_types(inner, getattr(kind, "instance_class", None))  # type: ignore[attr-defined]
+    rows = isinstance(kind, types.Array) and kind.layout == "C" and value.ndim > 1
+    apart = rows and value.strides[0] != value.itemsize * int(np.prod(value.shape[1:]))
+    return kind.copy(layout="A") if apart else kind
 
 
 class ArgumentRecord:

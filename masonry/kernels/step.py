@@ -46,8 +46,9 @@ def step(
 
 
 def displacing(parallel: bool | None, bodies: Sequence[Any], dt: float, u: np.ndarray) -> list[Call]:
-    """Positions of all bodies, and the displacements of their points."""
-    return [_displace.of(parallel, body, dt, u) for body in bodies if body is not None]
+    """Positions of all bodies, and the displacements of their points; loads and what is expected are no matter here."""
+    moved = [body._replace(load=None, change=None, guess=None) for body in bodies if body is not None]
+    return [_displace.of(parallel, body, dt, u) for body in moved]
 
 
 def sweeping(parallel: bool | None, groups: tuple, contacts: tuple) -> list[Call]:

@@ -49,14 +49,15 @@ SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
-WHICH, FIXED, KIND, COUNT, ANSWER = range(5)
+WHICH, FIXED, KIND, COUNT, OWNER, ANSWER = range(6)
 SEPARATION, BLEND, SIZE = range(3)
 
 
 class Touch(NamedTuple):
     """What is asked of a pair, and what a look finds.
 
-    whole  (5,) WHICH pair; whether the faces that touched last are FIXED; KIND of contact, COUNT of points; ANSWER
+    whole  (6,) WHICH pair; whether the faces that touched last are FIXED; KIND of contact, COUNT of points and side of
+           their OWNER; ANSWER
     real   (3,) SEPARATION (m), BLEND and SIZE (m) as `touch` returns them
     """
 
@@ -66,8 +67,8 @@ class Touch(NamedTuple):
 
 def looking_at(near: Near) -> tuple[Call, Touch]:
     """What `look` needs to be called: the call, and room for what it asks and finds."""
-    touch = Touch(np.zeros(5, dtype=np.int64), np.zeros(3))
-    return _look.of(near, _touch.of(near, touch), touch), touch
+    touch = Touch(np.zeros(6, dtype=np.int64), np.zeros(3))
+    return _look.of(near, _touch.of(near, touch), _renew.of(near, touch), touch), touch
 
 
 @inner
@@ -81,8 +82,14 @@ def look(looking, p):
 
 @CompiledPart
 def _look(record):
-    near, touching, query = unpack(record)
-    query.whole[ANSWER] = answer_of(near, touching, query)
+    near, touching, renewing, query = unpack(record)
+    query.whole[ANSWER] = answer_of(near, touching, renewing, query)
+
+
+@CompiledPart
+def _renew(record):
+    near, query = unpack(record)
+    query.whole[ANSWER] = renew(near, query.whole[WHICH], query.whole[COUNT], query.whole[OWNER])
 
 
 @CompiledPart
@@ -101,7 +108,7 @@ def _touch(record):
 
 
 @inner
-def answer_of(near, touching, query):
+def answer_of(near, touching, renewing, query):
     """What `look` returns."""
     p = query.whole[WHICH]
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
@@ -141,7 +148,9 @@ def answer_of(near, touching, query):
         search.refusal[REASON], search.refusal[PAIR] = NEED_POINTS, p
         pairs.mark[p] = -FAR
         return False
-    return renew(near, p, count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend))
+    query.whole[COUNT], query.whole[OWNER] = count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend)
+    call(renewing[0], renewing[1])
+    return query.whole[ANSWER] != 0
 
 
 @inner
