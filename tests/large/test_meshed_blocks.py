@@ -11,13 +11,13 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration import energy, model_state
 from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
-from masonry.kernels.large_step import of_each_kind, patch_forces_on, places_of, velocities_of
 from masonry.laboratory import laboratory
 from masonry.model.large.block_motion import outer_tets
 from masonry.patches.press import stored_energy
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
+from tests.large.around_patches import gather, hand_over
 from tests.large.made import DENSITY, G, leaning, slab
 from tests.large.test_deforming import advanced
 from tests.scenes import box, listed, load, specimen, tables
@@ -156,23 +156,6 @@ def test_a_run_that_goes_on_from_what_was_kept_has_the_bits_of_a_whole_one():
     advanced(other, 100)
     state = model_state.state(other)
     assert all(array.tobytes() == state[name].tobytes() for name, array in model_state.state(model).items())
-
-
-def gather(model) -> None:
-    """As the step does after it has placed the blocks."""
-    large, motion = model.large, model.large.near.motion
-    make_all(of_each_kind(places_of, model.bodies, motion, large.members, large.bonds))
-    make_all(of_each_kind(velocities_of, model.bodies, motion, large.members))
-
-
-def hand_over(model) -> None:
-    """The forces of the patches to the bodies."""
-    make_all(of_each_kind(patch_forces_on, model.bodies, model.large.near.motion, model.large.members))
-
-
-def make_all(calls) -> None:
-    for call in calls:
-        call()
 
 
 def test_an_even_pressure_gives_every_node_its_share_of_the_area_whatever_the_two_meshes():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.kernels.large_step import of_each_kind, patch_forces_on, places_of, velocities_of
 from masonry.kinematics import deforming
 from masonry.patches.arrays import SHEAR
 from masonry.patches.press import stored_energy
@@ -12,6 +11,7 @@ from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
+from tests.large.around_patches import gather, hand_over
 from tests.large.test_deforming import on_a_slope
 
 STRAINED = np.array([[1.0, 1e-3, 2e-3], [-2e-3, 0.999, 1e-3], [1e-3, 2e-3, 0.998]])
@@ -32,23 +32,6 @@ def pressed(turned: np.ndarray):
     assert refresh(model.large.near) >= 0.0
     assert model.large.near.points.number[0] == 4
     return model
-
-
-def gather(model) -> None:
-    """As the step does after it has placed the blocks."""
-    large, motion = model.large, model.large.near.motion
-    make_all(of_each_kind(places_of, model.bodies, motion, large.members, large.bonds))
-    make_all(of_each_kind(velocities_of, model.bodies, motion, large.members))
-
-
-def hand_over(model) -> None:
-    """The forces of the patches to the bodies."""
-    make_all(of_each_kind(patch_forces_on, model.bodies, model.large.near.motion, model.large.members))
-
-
-def make_all(calls) -> None:
-    for call in calls:
-        call()
 
 
 def pushes(model) -> np.ndarray:
