@@ -20,6 +20,10 @@ NOT_KEPT: list[str] = []
 DIGEST = hashlib.sha256().digest_size
 
 
+def _digest(key: Any) -> str:
+    return hashlib.sha256(repr(key).encode()).hexdigest()[:16]
+
+
 class CheckedFiles(IndexDataCacheFile):
     """Numba's index and data files of a function, the data with their checksum before them."""
 
@@ -28,6 +32,15 @@ class CheckedFiles(IndexDataCacheFile):
             return super()._load_index()
         except Exception:  # whatever unpickling of damaged bytes comes to
             return {}
+
+    def save(self, key: Any, data: Any) -> None:
+        """As Numba's, but what is kept is named after its key. Numba counts: two processes that keep something of one
+        function at once take the same number, and one of them is served the code of the other ever after."""
+        overloads = self._load_index()
+        if key not in overloads:
+            overloads[key] = f"{self._index_name.removesuffix('.nbi')}.{_digest(key)}.nbc"
+            self._save_index(overloads)
+        self._save_data(overloads[key], data)
 
     def _load_data(self, name: str) -> Any:
         whole = Path(self._data_path(name)).read_bytes()
