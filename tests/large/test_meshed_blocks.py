@@ -17,8 +17,7 @@ from masonry.patches.press import stored_energy
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
-from tests.large.around_patches import gather, hand_over
-from tests.large.made import DENSITY, G, leaning, slab
+from tests.large.made import DENSITY, G, gather, hand_over, leaning, slab
 from tests.large.test_deforming import advanced
 from tests.scenes import box, listed, load, specimen, tables
 from verification.fixtures.dry_blocks import restitution

@@ -11,7 +11,7 @@ from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
-from tests.large.around_patches import gather, hand_over
+from tests.large.made import gather, hand_over
 from tests.large.test_deforming import on_a_slope
 
 STRAINED = np.array([[1.0, 1e-3, 2e-3], [-2e-3, 0.999, 1e-3], [1e-3, 2e-3, 0.998]])
