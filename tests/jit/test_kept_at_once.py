@@ -7,9 +7,10 @@ from geometry.jit_cache import CheckedFiles
 
 @pytest.mark.parametrize("late", ["index", "data"])
 def test_none_is_served_the_code_of_another_one_that_was_kept_at_once(late, tmp_path, monkeypatch):
-    """One sees an empty index, and writes its index or its data once the other has written both."""
+    """Both see an empty index, and one writes its index or its data once the other has written both."""
     one, other = (CheckedFiles(str(tmp_path), "function", "stamp") for _ in range(2))
-    monkeypatch.setattr(one, "_load_index", dict)
+    for cache in (one, other):
+        monkeypatch.setattr(cache, "_load_index", dict)
     write = getattr(one, f"_save_{late}")
     monkeypatch.setattr(one, f"_save_{late}", lambda *what: (other.save("b", "code of b"), write(*what)))
     one.save("a", "code of a")
