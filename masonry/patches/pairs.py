@@ -15,36 +15,52 @@ FAR = 1e30
 """m: farther than anything is, or moves."""
 
 
+class Column:
+    """Shape of a row, and what a new pair has there. Each is equal to itself alone: Python 3.11.2 takes equal
+    annotations for one, as (), 0 and (), 0.0 are."""
+
+    def __init__(self, shape: tuple[int, ...], new: float) -> None:
+        self.shape, self.new = shape, new
+
+
 class PatchPairs(NamedTuple):
     """Room for P pairs, sorted, of which the first ones are there.
 
-    A column (P, ...) is Annotated[np.ndarray, shape of its rows, what it is in a new pair]: a whole number there makes
-    one of whole numbers. Side 0 of a pair is the piece with the lower number.
+    A column (P, ...) is Annotated[np.ndarray, Column(shape of its rows, what a new pair has there)]: a whole number
+    makes one of whole numbers. Side 0 of a pair is the piece with the lower number.
     """
 
     number: np.ndarray  # (1,) how many pairs there are
     memory: np.ndarray  # numbers of all columns, one column after the other
-    piece: Annotated[np.ndarray, (2,), 0]  # numbers of the two pieces, the lower first
-    body: Annotated[np.ndarray, (2,), 0]  # their blocks
-    slot: Annotated[np.ndarray, (), -1]  # where its points are; -1 where the two are apart
-    points_of: Annotated[np.ndarray, (), 0]  # side that the points belong to; the other one is the reference
-    normal: Annotated[np.ndarray, (3,), 0.0]  # of the plane, which is fixed in the reference, out of it, in its frame
-    axis: Annotated[np.ndarray, (3,), 0.0]  # the normal of the last look, from side 0 to side 1, in space
-    witness: Annotated[np.ndarray, (3,), -1]  # of that look: detection/narrow.py
-    face: Annotated[np.ndarray, (2,), -1]  # its two faces before that look, -1 for edges
-    mark: Annotated[np.ndarray, (), -FAR]  # m, travel of both blocks at the last look
-    limit: Annotated[np.ndarray, (), 0.0]  # m, that after which it is looked at again
-    reach: Annotated[np.ndarray, (), 0.0]  # m, how far they may move against each other until the next look
-    pose: Annotated[np.ndarray, (12,), 0.0]  # how they stood to each other at the last one: relative_motion.py
-    law: Annotated[np.ndarray, (), 0]  # row of Rules
-    dashpot: Annotated[np.ndarray, (), 0.0]  # Pa s/m
-    slack: Annotated[np.ndarray, (), 0.0]  # m, by which points press less than they overlap, or more where below 0
-    gained: Annotated[np.ndarray, (), 0.0]  # J, normal energy that the last look gave or took, until it is settled
-    damped: Annotated[np.ndarray, (), 0.0]  # J, what its dashpot took since the two touch, less what it paid: slack.py
+    piece: Annotated[np.ndarray, Column((2,), 0)]  # numbers of the two pieces, the lower first
+    body: Annotated[np.ndarray, Column((2,), 0)]  # their blocks
+    slot: Annotated[np.ndarray, Column((), -1)]  # where its points are; -1 where the two are apart
+    points_of: Annotated[np.ndarray, Column((), 0)]  # side that the points belong to; the other one is the reference
+    normal: Annotated[
+        np.ndarray, Column((3,), 0.0)
+    ]  # of the plane, which is fixed in the reference, out of it, in its frame
+    axis: Annotated[np.ndarray, Column((3,), 0.0)]  # the normal of the last look, from side 0 to side 1, in space
+    witness: Annotated[np.ndarray, Column((3,), -1)]  # of that look: detection/narrow.py
+    face: Annotated[np.ndarray, Column((2,), -1)]  # its two faces before that look, -1 for edges
+    mark: Annotated[np.ndarray, Column((), -FAR)]  # m, travel of both blocks at the last look
+    limit: Annotated[np.ndarray, Column((), 0.0)]  # m, that after which it is looked at again
+    reach: Annotated[np.ndarray, Column((), 0.0)]  # m, how far they may move against each other until the next look
+    pose: Annotated[np.ndarray, Column((12,), 0.0)]  # how they stood to each other at the last one: relative_motion.py
+    law: Annotated[np.ndarray, Column((), 0)]  # row of Rules
+    dashpot: Annotated[np.ndarray, Column((), 0.0)]  # Pa s/m
+    slack: Annotated[
+        np.ndarray, Column((), 0.0)
+    ]  # m, by which points press less than they overlap, or more where below 0
+    gained: Annotated[
+        np.ndarray, Column((), 0.0)
+    ]  # J, normal energy that the last look gave or took, until it is settled
+    damped: Annotated[
+        np.ndarray, Column((), 0.0)
+    ]  # J, what its dashpot took since the two touch, less what it paid: slack.py
 
 
 COLUMNS = {
-    name: hint.__metadata__
+    name: (hint.__metadata__[0].shape, hint.__metadata__[0].new)
     for name, hint in get_type_hints(PatchPairs, include_extras=True).items()
     if hasattr(hint, "__metadata__")
 }
