@@ -8,6 +8,7 @@ import numpy as np
 from masonry import scene
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.chunk import Chunk
+from masonry.configuration.configuration import configuration_of
 from masonry.timeloop import compiled_step
 from verification.scene_runs import FOLDER
 
@@ -67,7 +68,8 @@ def stepper(assembly: Assembly) -> tuple[Callable[[], object], int]:
     compiled_step.compile_for(model, 1)
     steps = max(1, 500_000 // items(assembly))
     chunk, drive_force = Chunk(np.zeros(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
-    return lambda: compiled_step.advance_model(model, chunk, 1, 0, steps, drive_force), steps
+    configuration = configuration_of(model)
+    return lambda: configuration.advance(chunk, 1, 0, steps, drive_force), steps
 
 
 def growth(numbers: Sequence[float], costs: Sequence[float]) -> float:

@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 import pytest
 
+from masonry.configuration.large import LargeDisplacement
+from masonry.configuration.small import SmallDisplacement
 from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.timeloop import loop
@@ -50,7 +52,8 @@ def cost(name: str, monkeypatch) -> Cost:
 
         return call
 
-    monkeypatch.setattr(loop, "advance_model", timed("stepping", loop.advance_model))
+    for displacements in (SmallDisplacement, LargeDisplacement):
+        monkeypatch.setattr(displacements, "advance", timed("stepping", displacements.advance))
     monkeypatch.setattr(loop.Loop, "run", timed("whole", loop.Loop.run))
     costs = []
     for _ in range(ROUNDS + 1):  # the first one compiles

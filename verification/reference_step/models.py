@@ -8,6 +8,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints, TetMesh
 from masonry.configuration.chunk import Chunk
+from masonry.configuration.configuration import configuration_of
 from masonry.jit.compiler import jit
 from masonry.kernels.contact import sweep
 from masonry.kinematics.motion import Guided
@@ -18,7 +19,6 @@ from masonry.model import loads
 from masonry.model.body_arrays import Bodies
 from masonry.model.layout import KINDS, Material, lay_out
 from masonry.model.model import Model, Stepping, build, sort_by_group
-from masonry.timeloop import compiled_step
 
 STONE = Material(density=1900.0, young_modulus=16.7e9, poisson_ratio=0.2)
 JOINT = JointProperties(167e9, 69.6e9, 0.1e6, 0.15e6, 1.0, 1.5e3, 0.7265, combined=1.0)
@@ -54,11 +54,12 @@ def model_of(
 def stepping(model: Model, steps: int, threads: int = 1) -> Callable[[], None]:
     """A call that takes so many steps, without a drive and with the whole dead load."""
     chunk, drive_force = Chunk(np.ones(steps + 1), np.zeros(steps + 1), row=False), np.zeros(steps)
+    configuration = configuration_of(model)
 
     def take() -> None:
         if threads > 1:
             numba.set_num_threads(threads)
-        compiled_step.advance_model(model, chunk, threads, 0, steps, drive_force)
+        configuration.advance(chunk, threads, 0, steps, drive_force)
 
     return take
 
