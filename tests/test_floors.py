@@ -17,6 +17,7 @@ FLOORS = (
         "masonry.errors",
         "masonry.units",
         "masonry.quantity",
+        "masonry.ground",
         "masonry.rows",
         "masonry.entry_points",
         "masonry.jit",
