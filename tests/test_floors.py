@@ -17,7 +17,6 @@ FLOORS = (
         "masonry.errors",
         "masonry.units",
         "masonry.quantity",
-        "masonry.ground",
         "masonry.rows",
         "masonry.entry_points",
         "masonry.jit",
@@ -35,7 +34,7 @@ FLOORS = (
         "masonry.configuration.parts",
         "masonry.configuration",
     ),
-    *("masonry.scene.tables", "masonry.scene"),
+    *("masonry.ground", "masonry.scene.tables", "masonry.scene"),
     *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
     "masonry.timeloop",
@@ -76,6 +75,7 @@ PACKAGES = {
     **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
     "masonry.detection": "numpy numba",
+    "masonry.ground": "numpy scipy",
     "geometry.jit_cache": "numba",
 }
 """The packages that a floor may use besides the standard library; any where nothing is said."""

@@ -1,1 +1,1 @@
-"""Motion of the ground: records, their spectra, records made by seed. Plain arrays; knows no model."""
+"""Motions of the ground as plain arrays: records, what they do to oscillators, motions by seed. Knows no model."""

@@ -1,0 +1,261 @@
+"""One component of a motion of the ground: its acceleration is straight between samples, and it is integrated exactly.
+
+Within a piece the velocity is a parabola and the displacement a cubic. Velocities and displacements that are given
+become splines whose acceleration is continuous and straight between knots, so that all motions are of one kind.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+
+STRAIGHT = 1e-5
+"""Of its peak: how far a formula may leave the straight lines between the samples that are taken of it."""
+FIRST_PIECES, MOST_HALVINGS = 64, 20
+"""Pieces in which a formula is looked at first; how often each may be halved."""
+SETTLED = 1e-4
+"""Of the peak acceleration: what twice as many samples may change in a spline through a formula."""
+MOST_PIECES = 2**16
+AT_REST = 1e-3
+"""Of the peak: a velocity with which a record begins or ends below that is noise."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion along one axis, (n,) each: times (s, rising, from 0 on), and acceleration (m/s2), velocity (m/s) and
+    displacement (m) at these. It is at rest before; after the end no acceleration is left."""
+
+    time: np.ndarray
+    acceleration: np.ndarray
+    velocity: np.ndarray
+    displacement: np.ndarray
+
+    @property
+    def duration(self) -> float:
+        return float(self.time[-1])
+
+    @property
+    def peak_acceleration(self) -> float:
+        """m/s2, the largest, in size; between samples it is no larger."""
+        return float(np.abs(self.acceleration).max())
+
+    @property
+    def peak_velocity(self) -> float:
+        """m/s, the largest in size: at a sample, or where the acceleration passes through 0 between two."""
+        first, last = self.acceleration[:-1], self.acceleration[1:]
+        crossing = first * last < 0.0
+        share = first[crossing] / (first - last)[crossing]
+        between = self.time[:-1][crossing] + share * np.diff(self.time)[crossing]
+        return float(np.abs(np.concatenate([self.velocity, self.velocity_at(between)])).max())
+
+    @property
+    def peak_displacement(self) -> float:
+        """m, the largest in size at a sample."""
+        return float(np.abs(self.displacement).max())
+
+    @property
+    def residual_velocity(self) -> float:
+        """m/s, with which the record ends."""
+        return float(self.velocity[-1])
+
+    @property
+    def residual_displacement(self) -> float:
+        """m, at the end of the record."""
+        return float(self.displacement[-1])
+
+    def acceleration_at(self, time: np.ndarray) -> np.ndarray:
+        """(k,) m/s2 at times (k,) s; 0 before the start and after the end."""
+        return np.asarray(np.interp(time, self.time, self.acceleration, left=0.0, right=0.0))
+
+    def velocity_at(self, time: np.ndarray) -> np.ndarray:
+        """(k,) m/s at times (k,) s; after the end the residual velocity."""
+        k, since = self._piece(time)
+        speed = self.velocity[k] + since * (self.acceleration[k] + 0.5 * self._slope[k] * since)
+        return np.asarray(np.where(time < 0.0, 0.0, speed))
+
+    def displacement_at(self, time: np.ndarray) -> np.ndarray:
+        """(k,) m at times (k,) s; after the end it goes on at the residual velocity."""
+        k, since = self._piece(time)
+        by_acceleration = 0.5 * self.acceleration[k] + self._slope[k] * since / 6.0
+        place = self.displacement[k] + since * (self.velocity[k] + since * by_acceleration)
+        late = np.maximum(np.asarray(time) - self.duration, 0.0)
+        return np.asarray(np.where(np.asarray(time) < 0.0, 0.0, place + self.residual_velocity * late))
+
+    @property
+    def _slope(self) -> np.ndarray:
+        """(n - 1,) m/s3 of each piece."""
+        return np.diff(self.acceleration) / np.diff(self.time)
+
+    def _piece(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Number (k,) of the piece at times (k,), and the time (s) since it began; the end counts to the last."""
+        within = np.clip(time, 0.0, self.duration)
+        k = np.clip(np.searchsorted(self.time, within, side="right") - 1, 0, len(self.time) - 2)
+        return k, within - self.time[k]
+
+    def scaled(self, factor: float) -> "Motion":
+        """So many times as large."""
+        return replace(
+            self,
+            acceleration=factor * self.acceleration,
+            velocity=factor * self.velocity,
+            displacement=factor * self.displacement,
+        )
+
+    def with_linear_baseline(self) -> "Motion":
+        """Less the acceleration c + d t that takes it back to rest where it began: no residual is left."""
+        end, left, away = self.duration, self.residual_velocity, self.residual_displacement
+        d = (6.0 * left * end - 12.0 * away) / end**3
+        c = left / end - 0.5 * d * end
+        t = self.time
+        return Motion(
+            t,
+            self.acceleration - (c + d * t),
+            self.velocity - t * (c + 0.5 * d * t),
+            self.displacement - t * t * (0.5 * c + d * t / 6.0),
+        )
+
+    def over_steps(self, start: float, dt: float, steps: int) -> tuple[np.ndarray, np.ndarray]:
+        """The mean acceleration (steps + 1,) m/s2 over each step, half of it before and half after times
+        start + n dt; and those n, rising, between which it is straight.
+
+        A leapfrog that is driven by these means has the exact velocity in the middle of every step.
+        """
+        t = start + dt * np.arange(steps + 1)
+        mean = self.acceleration_at(t)
+        bent = np.rint((self.time - start) / dt)
+        bent = np.unique(bent[(bent >= 0) & (bent <= steps)]).astype(np.int64)
+        at = t[bent]
+        mean[bent] = (self.velocity_at(at + 0.5 * dt) - self.velocity_at(at - 0.5 * dt)) / dt
+        knots = np.unique(np.concatenate([[0], bent - 1, bent, bent + 1, [steps]]))
+        return mean, knots[(knots >= 0) & (knots <= steps)]
+
+
+def from_acceleration(time: np.ndarray, acceleration: np.ndarray) -> Motion:
+    """Straight between samples (n,): times from 0 on, s; m/s2."""
+    step = np.diff(time)
+    first, last = acceleration[:-1], acceleration[1:]
+    gained = 0.5 * step * (first + last)
+    velocity = np.concatenate([[0.0], np.cumsum(gained)])
+    moved = step * velocity[:-1] + step**2 * (2.0 * first + last) / 6.0
+    return Motion(time, acceleration, velocity, np.concatenate([[0.0], np.cumsum(moved)]))
+
+
+def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) -> Motion:
+    """Parabolas through samples (n,) m/s that meet half-way between them, without acceleration at both ends.
+
+    line  takes off the straight line through the first and the last sample
+    Raises ValueError where the ground moves at its start or end.
+    """
+    velocity = _from_rest(time, velocity, line, "velocity", "m/s")
+    knots = np.concatenate([[time[0]] * 3, 0.5 * (time[1:] + time[:-1]), [time[-1]] * 3])
+    spline = make_interp_spline(time, velocity, k=2, t=knots, bc_type=([(1, 0.0)], [(1, 0.0)]))
+    places = spline.antiderivative()
+    at = np.concatenate([time[:1], knots[3:-3], time[-1:]])
+    return Motion(at, spline(at, 1), spline(at), places(at) - places(at[0]))
+
+
+def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = False) -> Motion:
+    """A cubic spline with continuous acceleration through samples (n,) m, less the first: without velocity and
+    acceleration at both ends, for which the first and the last piece are made of two.
+
+    line  takes off the straight line through the first and the last sample
+    """
+    displacement = displacement - displacement[0]
+    if line:
+        displacement = displacement - np.linspace(0.0, displacement[-1], len(time))
+    if len(time) == 2:
+        inner = time[0] + np.array([1.0, 2.0]) / 3.0 * (time[1] - time[0])
+    else:
+        halves = 0.5 * (time[:2] + time[1:3])[0], 0.5 * (time[-2] + time[-1])
+        inner = np.concatenate([[halves[0]], time[1:-1], [halves[1]]])
+    knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
+    rest = [(1, 0.0), (2, 0.0)]
+    spline = make_interp_spline(time, displacement, k=3, t=knots, bc_type=(rest, rest))
+    at = np.concatenate([time[:1], inner, time[-1:]])
+    return Motion(at, spline(at, 2), spline(at, 1), spline(at))
+
+
+MADE_OF: dict[str, Callable[[np.ndarray, np.ndarray], Motion]] = {
+    "acceleration": from_acceleration,
+    "velocity": from_velocity,
+    "displacement": from_displacement,
+}
+
+
+def from_samples(quantity: str, time: np.ndarray, values: np.ndarray, baseline: str = "none") -> Motion:
+    """Of samples of an "acceleration", "velocity" or "displacement"; times from 0 on, SI.
+
+    baseline  "linear": no residual is left. Raises ValueError.
+    """
+    linear = baseline == "linear"
+    if quantity == "acceleration":
+        motion = from_acceleration(time, values)
+        return motion.with_linear_baseline() if linear else motion
+    return (from_velocity if quantity == "velocity" else from_displacement)(time, values, linear)
+
+
+def from_formula(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration: float) -> Motion:
+    """Of a formula: values (k,) at times (k,) s, from 0 to `duration`. Raises ValueError."""
+    if quantity == "acceleration":
+        time = _bent_times(at, duration)
+        return from_acceleration(time, at(time))
+    _require_rest(quantity, at, duration)
+    pieces, before = 2 * FIRST_PIECES, None
+    while True:
+        time = np.linspace(0.0, duration, pieces + 1)
+        motion = MADE_OF[quantity](time, at(time))
+        look = np.linspace(0.0, duration, 8 * FIRST_PIECES + 1)
+        now = motion.acceleration_at(look)
+        if before is not None and np.abs(now - before).max() <= SETTLED * motion.peak_acceleration:
+            return motion
+        if pieces >= MOST_PIECES:
+            return motion
+        pieces, before = 2 * pieces, now
+
+
+def _bent_times(at: Callable[[np.ndarray], np.ndarray], duration: float) -> np.ndarray:
+    """Times between which a formula is straight, each piece halved until it is."""
+    time = np.linspace(0.0, duration, FIRST_PIECES + 1)
+    most = float(np.abs(at(np.linspace(0.0, duration, 4 * FIRST_PIECES * FIRST_PIECES + 1))).max())
+    for _ in range(MOST_HALVINGS):
+        value, step = at(time), np.diff(time)
+        bent = np.zeros(len(step), dtype=bool)
+        for share in (0.25, 0.5, 0.75):
+            line = (1.0 - share) * value[:-1] + share * value[1:]
+            bent |= np.abs(at(time[:-1] + share * step) - line) > STRAIGHT * most
+        if not bent.any() or len(time) > MOST_PIECES:
+            break
+        time = np.sort(np.concatenate([time, (0.5 * (time[:-1] + time[1:]))[bent]]))
+    return time
+
+
+def _require_rest(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration: float) -> None:
+    """ValueError where a formula of the displacement starts or ends with a velocity: no ground follows that at once."""
+    if quantity != "displacement":
+        return
+    tiny = 1e-6 * duration
+    times = np.array([0.0, tiny, duration - tiny, duration])
+    place = at(times)
+    over = np.linspace(0.0, duration, 4 * FIRST_PIECES + 1)
+    mean = float(np.abs(np.diff(at(over))).max()) / (duration / (4 * FIRST_PIECES))
+    for name, speed in (("starts", (place[1] - place[0]) / tiny), ("ends", (place[3] - place[2]) / tiny)):
+        if abs(speed) > 1e-2 * mean:
+            raise ValueError(
+                f"the displacement {name} with {speed:.3g} m/s, and the ground is at rest before and after; let it "
+                f"rise and fall smoothly, or give its velocity or acceleration"
+            )
+
+
+def _from_rest(time: np.ndarray, values: np.ndarray, line: bool, what: str, unit: str) -> np.ndarray:
+    """Values that begin and end at 0."""
+    values = values - np.interp(time, time[[0, -1]], values[[0, -1]]) if line else values.copy()
+    most = float(np.abs(values).max())
+    for k, name in ((0, "begins"), (-1, "ends")):
+        if abs(values[k]) > AT_REST * most:
+            raise ValueError(
+                f"the {what} {name} with {values[k]:.3g} {unit}, and the ground is at rest before and after; give a "
+                f"record from rest to rest, or baseline = 'linear'"
+            )
+        values[k] = 0.0
+    return values

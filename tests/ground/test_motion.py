@@ -1,0 +1,97 @@
+"""A motion of the ground is integrated exactly, whatever it is made of."""
+
+import numpy as np
+import pytest
+
+from masonry.ground.motion import from_acceleration, from_displacement, from_formula, from_samples, from_velocity
+
+RANDOM = np.random.default_rng(3)
+TIME = np.arange(300) * 0.01
+
+
+def dense(motion, pieces=40):
+    """Times that are close together, those of the samples among them."""
+    share = np.arange(pieces) / pieces
+    return np.append((motion.time[:-1, None] + np.diff(motion.time)[:, None] * share).ravel(), motion.duration)
+
+
+def test_an_acceleration_that_is_straight_between_samples_is_integrated_exactly():
+    motion = from_acceleration(np.array([0.0, 1.0, 3.0]), np.array([0.0, 6.0, 0.0]))
+    # 6 t up to 1 s: v = 3 t^2, u = t^3; then 6 - 3 s: v = 3 + 6 s - 1.5 s^2, u = 1 + 3 s + 3 s^2 - s^3 / 2
+    assert motion.velocity_at(np.array([0.5, 2.0])) == pytest.approx([0.75, 7.5], rel=1e-15)
+    assert motion.displacement_at(np.array([0.5, 2.0])) == pytest.approx([0.125, 6.5], rel=1e-15)
+    assert motion.residual_velocity == pytest.approx(9.0) and motion.residual_displacement == pytest.approx(15.0)
+    assert motion.velocity_at(np.array([-1.0, 5.0])) == pytest.approx([0.0, 9.0])
+    assert motion.displacement_at(np.array([-1.0, 5.0])) == pytest.approx([0.0, 33.0])
+    assert motion.peak_acceleration == 6.0 and motion.scaled(2.0).peak_velocity == pytest.approx(18.0)
+
+
+def test_the_largest_velocity_may_lie_between_two_samples():
+    motion = from_acceleration(np.array([0.0, 1.0, 2.0]), np.array([1.0, -1.0, -1.0]))
+    assert motion.peak_velocity == pytest.approx(1.0) and motion.velocity_at(np.array([0.5])) == pytest.approx([0.25])
+
+
+def test_a_linear_baseline_leaves_no_residual():
+    motion = from_acceleration(TIME, RANDOM.normal(size=300))
+    straightened = motion.with_linear_baseline()
+    assert abs(straightened.residual_velocity) < 1e-13 and abs(straightened.residual_displacement) < 1e-13
+    again = from_acceleration(TIME, straightened.acceleration)
+    assert again.displacement == pytest.approx(straightened.displacement, abs=1e-13)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 300])
+def test_a_displacement_becomes_a_spline_with_continuous_acceleration_at_rest_at_its_ends(count):
+    time = np.linspace(0.0, 3.0, count)
+    place = 0.1 * np.sin(2 * time) * time**2
+    motion = from_displacement(time, place)
+    assert motion.displacement_at(time) == pytest.approx(place, abs=1e-14)
+    assert np.abs(motion.velocity[[0, -1]]).max() < 1e-12 and np.abs(motion.acceleration[[0, -1]]).max() < 1e-10
+    again = from_acceleration(motion.time, motion.acceleration)
+    assert again.displacement_at(time) == pytest.approx(place, abs=1e-12)
+
+
+def test_a_smooth_displacement_shakes_with_its_own_acceleration():
+    place = 0.1 * np.sin(2 * np.pi * TIME) * np.sin(np.pi * TIME / TIME[-1]) ** 4
+    exact = np.gradient(np.gradient(place, TIME), TIME)
+    assert from_displacement(TIME, place).peak_acceleration == pytest.approx(np.abs(exact).max(), rel=5e-3)
+
+
+def test_a_velocity_becomes_parabolas_with_continuous_acceleration():
+    speed = np.sin(7 * TIME) * np.sin(np.pi * TIME / TIME[-1]) ** 2
+    motion = from_velocity(TIME, speed)
+    assert motion.velocity_at(TIME) == pytest.approx(speed, abs=1e-14)
+    assert np.abs(motion.acceleration[[0, -1]]).max() < 1e-10
+    again = from_acceleration(motion.time, motion.acceleration)
+    assert again.displacement_at(TIME) == pytest.approx(motion.displacement_at(TIME), abs=1e-13)
+
+
+def test_a_velocity_that_begins_at_once_is_refused_unless_its_line_is_taken_off():
+    speed = np.cos(7 * TIME)
+    with pytest.raises(ValueError, match="begins with 1 m/s.*baseline = 'linear'"):
+        from_velocity(TIME, speed)
+    assert from_samples("velocity", TIME, speed, "linear").velocity[[0, -1]] == pytest.approx([0.0, 0.0])
+
+
+def test_a_formula_is_followed_as_closely_as_it_is_straight():
+    motion = from_formula("acceleration", lambda t: 5.0 * np.sin(2 * np.pi * t), 2.0)
+    t = dense(motion)
+    assert np.abs(motion.acceleration_at(t) - 5.0 * np.sin(2 * np.pi * t)).max() < 1e-4
+    assert len(motion.time) < 3000
+    corner = from_formula("acceleration", lambda t: np.where(t < 0.3, 1.0, 0.0), 1.0)
+    assert corner.residual_velocity == pytest.approx(0.3, abs=1e-7)
+
+
+def test_a_formula_of_the_displacement_starts_and_ends_at_rest():
+    motion = from_formula("displacement", lambda t: 0.1 * np.sin(2 * np.pi * t) * np.sin(np.pi * t / 10) ** 4, 10.0)
+    assert motion.peak_acceleration == pytest.approx(0.1 * (2 * np.pi) ** 2, rel=5e-2)
+    with pytest.raises(ValueError, match="the displacement starts with 0.628 m/s"):
+        from_formula("displacement", lambda t: 0.1 * np.sin(2 * np.pi * t), 10.0)
+
+
+@pytest.mark.parametrize("dt", [0.0013, 0.01, 0.0009999, 0.004])
+def test_means_over_steps_drive_a_leapfrog_with_the_exact_velocity_at_half_steps(dt):
+    motion = from_acceleration(TIME, RANDOM.normal(size=300))
+    mean, knots = motion.over_steps(-0.5, dt, 3000)
+    half = -0.5 + dt * (np.arange(3001) + 0.5)
+    assert np.cumsum(mean) * dt == pytest.approx(motion.velocity_at(half), abs=1e-12)
+    assert np.interp(np.arange(3001), knots, mean[knots]) == pytest.approx(mean, abs=1e-12)
