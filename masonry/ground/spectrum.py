@@ -6,6 +6,7 @@ the recurrence of Nigam and Jennings (Bull. Seism. Soc. Am. 59(2), 1969, 909-922
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,6 +14,8 @@ PER_PERIOD = 16
 """Intervals a period, at least: between two of them the cubic through u and u' is off by (2 pi / 16)^4 / 384 = 6e-5."""
 ALIKE = 9
 """Digits, in mean steps, to which two steps of a record are one."""
+NEAR = 0.95
+"""The displacement of a sample beside the largest peak, in peaks, at least."""
 MOST = 4_000_000
 """Complex numbers that are held at once."""
 
@@ -58,9 +61,21 @@ def response_spectrum(
     damping       share of the critical damping, in [0, 1)
     Raises ValueError where an argument is none of this.
     """
+    return ResponseSpectrum(np.asarray(periods, dtype=float), np.abs(peaks(time, acceleration, periods, damping).displacement), damping)
+
+
+class Peaks(NamedTuple):
+    """When the displacement of each oscillator is largest, (n,) s, and what it is then, (n,) m, with its sign."""
+
+    time: np.ndarray
+    displacement: np.ndarray
+
+
+def peaks(time: np.ndarray, acceleration: np.ndarray, periods: np.ndarray, damping: float = 0.05) -> Peaks:
+    """As `response_spectrum`: the peaks themselves."""
     time, acceleration, periods = (np.asarray(each, dtype=float) for each in (time, acceleration, periods))
     _require(time, acceleration, periods, damping)
-    largest = np.zeros(periods.shape)
+    largest = Peaks(np.zeros(periods.shape), np.zeros(periods.shape))
     parts = _divisions(np.diff(time).max(), periods)
     for part in np.unique(parts):
         members = np.flatnonzero(parts == part)
@@ -68,8 +83,8 @@ def response_spectrum(
         few = max(1, MOST // len(fine[0]))
         for begin in range(0, len(members), few):
             group = members[begin : begin + few]
-            largest[group] = _largest(*fine, 2.0 * np.pi / periods[group], damping)
-    return ResponseSpectrum(periods, largest, damping)
+            largest.time[group], largest.displacement[group] = _peaks(*fine, 2.0 * np.pi / periods[group], damping)
+    return largest
 
 
 def periods_between(shortest: float, longest: float, count: int = 100) -> np.ndarray:
@@ -141,36 +156,50 @@ def _refined(time: np.ndarray, acceleration: np.ndarray, parts: int) -> tuple[np
     return fine, np.interp(fine, time, acceleration)
 
 
-def _largest(time: np.ndarray, acceleration: np.ndarray, rates: np.ndarray, damping: float) -> np.ndarray:
+def _peaks(time: np.ndarray, acceleration: np.ndarray, rates: np.ndarray, damping: float) -> Peaks:
     z = oscillations(time, acceleration, rates, damping)
-    u, v = displacements(z, rates, damping), velocities(z, rates, damping)
-    largest = np.abs(u).max(axis=0)
-    before, column = np.nonzero(v[:-1] * v[1:] < 0.0)
-    length = np.diff(time)[before]
-    inner = _turning_value(u[before, column], u[before + 1, column], v[before, column], v[before + 1, column], length)
-    np.maximum.at(largest, column, np.abs(inner))
-    return np.maximum(largest, _afterwards(z[-1], rates, damping))
+    u = displacements(z, rates, damping)
+    size = np.abs(u)
+    top = size.argmax(axis=0)
+    every = np.arange(len(rates))
+    largest = Peaks(time[top], u[top, every])
+    near = size >= NEAR * size[top, every]
+    row, column = np.nonzero(near[:-1] | near[1:])
+    v, v_end = (velocities(z[at, column], rates[column], damping) for at in (row, row + 1))
+    turns = v * v_end < 0.0
+    row, column, length = row[turns], column[turns], time[row[turns] + 1] - time[row[turns]]
+    place, inner = _turning_point(u[row, column], u[row + 1, column], v[turns] * length, v_end[turns] * length)
+    _replace(largest, column, time[row] + place * length, inner)
+    delay, later = _afterwards(z[-1], rates, damping)
+    _replace(largest, every, time[-1] + delay, later)
+    return largest
 
 
-def _turning_value(
-    u: np.ndarray, u_end: np.ndarray, v: np.ndarray, v_end: np.ndarray, length: np.ndarray
-) -> np.ndarray:
-    """The value at which the cubic through displacements and velocities at both ends of an interval turns."""
-    v, v_end = v * length, v_end * length
+def _replace(largest: Peaks, column: np.ndarray, time: np.ndarray, displacement: np.ndarray) -> None:
+    """Put displacements in the place of those that are less; several may be of one oscillator."""
+    order = np.argsort(np.abs(displacement), kind="stable")  # of several the last one stays, the largest
+    order = order[np.abs(displacement[order]) > np.abs(largest.displacement[column[order]])]
+    largest.time[column[order]] = time[order]
+    largest.displacement[column[order]] = displacement[order]
+
+
+def _turning_point(
+    u: np.ndarray, u_end: np.ndarray, v: np.ndarray, v_end: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Where in [0, 1] the cubic turns through displacements and slopes at both ends, and its value there."""
     a, b = 2.0 * (u - u_end) + v + v_end, 3.0 * (u_end - u) - 2.0 * v - v_end
     root = np.sqrt(np.maximum(b * b - 3.0 * a * v, 0.0))
     low = -b - np.where(b >= 0.0, root, -root)  # the sum that does not cancel
     with np.errstate(divide="ignore", invalid="ignore"):
         first, second = low / (3.0 * a), v / low
     place = np.where((second >= 0.0) & (second <= 1.0), second, np.clip(np.nan_to_num(first), 0.0, 1.0))
-    value: np.ndarray = u + place * (v + place * (b + place * a))
-    return value
+    return place, u + place * (v + place * (b + place * a))
 
 
-def _afterwards(z: np.ndarray, rates: np.ndarray, damping: float) -> np.ndarray:
-    """The largest displacement of the free swing that starts from z: it turns where Re z = zeta w u."""
+def _afterwards(z: np.ndarray, rates: np.ndarray, damping: float) -> tuple[np.ndarray, np.ndarray]:
+    """The first peak of the free swing that starts from z, after what time: it turns where Re z = zeta w u."""
     poles = _poles(rates, damping)
     turning = np.arctan2(poles.imag, damping * rates)
     angle = np.mod(turning - np.angle(z), np.pi)
-    displacement: np.ndarray = np.abs(z) * np.exp(poles.real / poles.imag * angle) * np.sin(turning) / poles.imag
-    return displacement
+    swing = z * np.exp(poles / poles.imag * angle)
+    return angle / poles.imag, displacements(swing, rates, damping)
