@@ -1,9 +1,9 @@
 """Acceleration records that are made by seed: of a stated spectrum, with an envelope in time, at rest at their end.
 
 Sines of all frequencies with phases drawn from the seed are added up and taken times an envelope. For a response
-spectrum their amplitudes are corrected some times by the ratio of target and response, and then wavelets are added where
-the oscillators peak (`matching.py`). The samples are rounded to DIGIT, so that another processor, whose sums differ in
-their last digit, has the same record.
+spectrum their amplitudes are corrected some times by the ratio of target and response, and then wavelets are added
+where the oscillators peak (`matching.py`). The samples are rounded to DIGIT, so that another processor, whose sums
+differ in their last digit, has the same record.
 """
 
 from dataclasses import dataclass

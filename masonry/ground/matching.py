@@ -11,8 +11,8 @@ from masonry.ground.resting import at_rest
 from masonry.ground.spectrum import peaks
 
 ROUNDS, STEP, RIDGE = 20, 0.7, 0.1
-"""How often; the share of what is missing that a round adds; how much wavelets of near periods are kept from each other's
-work, in what a wavelet does at its own period."""
+"""How often; the share of what is missing that a round adds; the ridge under the equations, which keeps wavelets of
+near periods from working against each other, as a share of what one does at its own period."""
 
 
 def match(
@@ -48,7 +48,9 @@ def match(
     return best
 
 
-def _wavelets(time: np.ndarray, times: np.ndarray, rates: np.ndarray, damping: float, envelope: np.ndarray) -> np.ndarray:
+def _wavelets(
+    time: np.ndarray, times: np.ndarray, rates: np.ndarray, damping: float, envelope: np.ndarray
+) -> np.ndarray:
     """(m, n) tapered cosines that reach their oscillators' peaks at the `times` (n,)."""
     root = np.sqrt(1.0 - damping**2)
     late = time[:, None] - times + np.arctan2(root, damping) / (rates * root)

@@ -25,7 +25,8 @@ def rounded(acceleration: np.ndarray, digit: float) -> np.ndarray:
     """Samples of equal steps, 0 at both ends, as multiples of `digit` that leave no velocity and no displacement.
 
     Whole numbers n_i of equal steps leave neither where their sum and that of i n_i are 0: the velocity is their sum
-    times the step, each sample a triangle about its time. What rounding leaves of the two sums is taken away one by one.
+    times the step, each sample a triangle about its time. What rounding leaves of the two sums is taken away one by
+    one.
     """
     whole = np.rint(acceleration / digit).astype(np.int64)
     whole[0] = whole[-1] = 0

@@ -61,7 +61,9 @@ def response_spectrum(
     damping       share of the critical damping, in [0, 1)
     Raises ValueError where an argument is none of this.
     """
-    return ResponseSpectrum(np.asarray(periods, dtype=float), np.abs(peaks(time, acceleration, periods, damping).displacement), damping)
+    return ResponseSpectrum(
+        np.asarray(periods, dtype=float), np.abs(peaks(time, acceleration, periods, damping).displacement), damping
+    )
 
 
 class Peaks(NamedTuple):
@@ -183,9 +185,7 @@ def _replace(largest: Peaks, column: np.ndarray, time: np.ndarray, displacement:
     largest.displacement[column[order]] = displacement[order]
 
 
-def _turning_point(
-    u: np.ndarray, u_end: np.ndarray, v: np.ndarray, v_end: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _turning_point(u: np.ndarray, u_end: np.ndarray, v: np.ndarray, v_end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Where in [0, 1] the cubic turns through displacements and slopes at both ends, and its value there."""
     a, b = 2.0 * (u - u_end) + v + v_end, 3.0 * (u_end - u) - 2.0 * v - v_end
     root = np.sqrt(np.maximum(b * b - 3.0 * a * v, 0.0))

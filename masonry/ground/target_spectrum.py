@@ -84,7 +84,9 @@ class FilteredNoise:
     def power(self, rates: np.ndarray) -> np.ndarray:
         """(n,) power of the acceleration at rates (n,) rad/s, that of the rock being 1."""
         ratio, damping = rates / self.soil[0], self.soil[1]
-        power: np.ndarray = (1.0 + (2.0 * damping * ratio) ** 2) / ((1.0 - ratio**2) ** 2 + (2.0 * damping * ratio) ** 2)
+        power: np.ndarray = (1.0 + (2.0 * damping * ratio) ** 2) / (
+            (1.0 - ratio**2) ** 2 + (2.0 * damping * ratio) ** 2
+        )
         if self.filter is not None:
             ratio, damping = rates / self.filter[0], self.filter[1]
             power = power * ratio**4 / ((1.0 - ratio**2) ** 2 + (2.0 * damping * ratio) ** 2)

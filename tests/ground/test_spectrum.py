@@ -56,12 +56,12 @@ def test_an_integration_of_other_make_finds_the_same():
 
 def test_limits_of_stiff_and_soft_oscillators():
     rng = np.random.default_rng(3)
-    time = np.arange(2001) * 0.005
-    acceleration = rng.normal(size=2001) * np.sin(np.pi * time / 10.0) ** 2
-    stiff = response_spectrum(time, acceleration, np.array([1e-4])).pseudo_acceleration[0]
+    time = np.arange(401) * 0.025
+    acceleration = rng.normal(size=401) * np.sin(np.pi * time / 10.0) ** 2
+    stiff = response_spectrum(time, acceleration, np.array([4e-4])).pseudo_acceleration[0]
     assert stiff == pytest.approx(np.abs(acceleration).max(), rel=2e-2)
-    velocity = np.concatenate([[0.0], np.cumsum(0.005 * (acceleration[1:] + acceleration[:-1]) / 2.0)])
-    ground = np.concatenate([[0.0], np.cumsum(0.005 * (velocity[1:] + velocity[:-1]) / 2.0)])
+    velocity = np.concatenate([[0.0], np.cumsum(0.025 * (acceleration[1:] + acceleration[:-1]) / 2.0)])
+    ground = np.concatenate([[0.0], np.cumsum(0.025 * (velocity[1:] + velocity[:-1]) / 2.0)])
     soft = response_spectrum(time, acceleration - velocity[-1] / 10.0, np.array([1e5])).displacement[0]
     level = ground - velocity[-1] / 10.0 * time**2 / 2.0
     assert soft == pytest.approx(np.abs(level).max(), rel=5e-2)
