@@ -39,6 +39,7 @@ def conditions_of(
         loads.add_traction(specimen.blocks, layout, load, loads.Push(faces, np.array(traction.stress)))
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
     _add_weight(scene, specimen, layout, conditions, materials)
+    _add_inertia(scene, specimen, layout, conditions, materials)
     for k, fill in enumerate(scene.fill):
         chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
         load = weight_of_fill(fill, f"fill.{k}", specimen, joints, layout, chosen, -gravity.z if gravity else 0.0)
@@ -82,13 +83,33 @@ def _add_weight(
     """The weight of the blocks, in parts where gravity varies or turns."""
     if scene.gravity is None:
         return
-    density = density_of(specimen.blocks, materials)
-    if scene.floor is not None:  # it is where a specimen falls, and weighs nothing: its reaction is what it bears
-        density[specimen.sets[FLOOR]] = 0.0
+    density = _density_that_weighs(scene, specimen, materials)
     for name, (acceleration, path) in scene.gravity.parts.items():
         weight: loads.Load = dict.fromkeys(KINDS)
         loads.add_gravity(layout, weight, density, acceleration)
         _add_load(layout, conditions, name, weight, varies=path is not None)
+
+
+def _density_that_weighs(scene: Scene, specimen: Specimen, materials: dict[str, Material]) -> np.ndarray:
+    """(B,) kg/m3; a floor is where a specimen falls, and weighs nothing: its reaction is what it bears."""
+    density = density_of(specimen.blocks, materials)
+    if scene.floor is not None:
+        density[specimen.sets[FLOOR]] = 0.0
+    return density
+
+
+def _add_inertia(
+    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, materials: dict[str, Material]
+) -> None:
+    """In the frame of the ground, forces of inertia along each axis on which it moves: their factors are its
+    accelerations (m/s2)."""
+    if scene.shaken is None:
+        return
+    density = _density_that_weighs(scene, specimen, materials)
+    for axis in scene.shaken.components:
+        inertia: loads.Load = dict.fromkeys(KINDS)
+        loads.add_gravity(layout, inertia, density, -np.eye(3)[AXES[axis]])
+        _add_load(layout, conditions, f"ground {axis}", inertia, varies=True)
 
 
 def _add_load(layout: Layout, conditions: loads.Conditions, name: str, load: loads.Load, varies: bool) -> None:

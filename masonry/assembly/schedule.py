@@ -63,7 +63,7 @@ def controlled(scene: Scene) -> Controlled:
 
 def program_of(scene: Scene, dt: float) -> Program:
     """What drive, dead loads and histories ask for, step by step."""
-    plan = in_layers(scene, _loading(scene, dt))
+    plan = with_ground(scene, in_layers(scene, _loading(scene, dt)), dt)
     if scene.gravity is not None and scene.gravity.tilt is not None:
         plan = replace(plan, straight=TILTED)
     if scene.solver.until is not None:
@@ -71,9 +71,7 @@ def program_of(scene: Scene, dt: float) -> Program:
     if scene.motion and plan.settle:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
     if scene.solver.duration is not None:
-        if not np.isfinite(dt):
-            raise SceneError("solver.time_step: nothing here limits the time step; give one, for example '1e-5 s'")
-        plan = _going_on(plan, ceil(min(scene.solver.duration / dt, 1e18)), dt)
+        plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
         plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
     return plan
@@ -93,10 +91,39 @@ def in_layers(scene: Scene, plan: AnyPlan) -> AnyPlan:
     return replace(plan, dead_load=np.ones_like(plan.dead_load), layers=layers)
 
 
-def _going_on(plan: Program, steps: int, dt: float) -> Program:
+def _steps_in(duration: float, dt: float) -> int:
+    """So many steps take a time (s)."""
+    if not np.isfinite(dt):
+        raise SceneError("solver.time_step: nothing here limits the time step; give one, for example '1e-5 s'")
+    return ceil(min(duration / dt, 1e18))
+
+
+def with_ground(scene: Scene, plan: Program, dt: float) -> Program:
+    """The plan, with the ground that moves after the settling: as long as it does, unless the run ends before.
+
+    It begins half a step after the settling, where velocities are known: so nothing of it is lost.
+    """
+    if not scene.ground:
+        return plan
+    lasts = max(_steps_in(ground.runs_for, dt) + 1 for ground in scene.ground)
+    if scene.solver.duration is not None:
+        lasts = min(lasts, _steps_in(scene.solver.duration, dt))
+    plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "ground")
+    if scene.shaken is None:
+        return plan
+    factors, kinks = [], [plan.kinks]
+    for motion in scene.shaken.motions.values():
+        factor, knots = motion.over_steps(-scene.shaken.begin - 0.5 * dt, dt, plan.steps - plan.settle)
+        factors.append(np.concatenate([np.zeros(plan.settle), factor]))
+        kinks.append(plan.settle + knots)
+    varying = np.array(factors) if plan.varying is None else np.concatenate([plan.varying, factors])
+    return replace(plan, varying=varying, kinks=np.unique(np.concatenate(kinks)))
+
+
+def _going_on(plan: Program, steps: int, dt: float, key: str = "solver.duration") -> Program:
     """A plan that ends so many steps after the settling, if it would end before: all loads stay, the drive rests."""
     more = plan.settle + steps - plan.steps
-    require_few(plan.settle + steps, dt, "solver.duration", "shorten it, or make the contacts softer")
+    require_few(plan.settle + steps, dt, key, "shorten it, or make the contacts softer")
     if more < -2:  # counts are rounded up
         raise SceneError(
             f"solver.duration: the drive and the histories of the scene take {(plan.steps - plan.settle) * dt:.6g} s "
@@ -118,7 +145,8 @@ def tilt_at(scene: Scene, plan: Plan, steps: np.ndarray) -> np.ndarray | None:
     if scene.gravity is None or scene.gravity.tilt is None or (load_factors := plan.factors_at(steps)) is None:
         return None
     k = [name for name, (_, path) in scene.gravity.parts.items() if path is not None].index("gravity cos")
-    cos, sin = load_factors[len(load_factors) - len(scene.gravity.paths) + k :][:2]
+    shaken = 0 if scene.shaken is None else len(scene.shaken.components)
+    cos, sin = load_factors[len(load_factors) - shaken - len(scene.gravity.paths) + k :][:2]
     return np.asarray(np.arctan2(sin, cos))
 
 

@@ -34,6 +34,7 @@ class Program:
     marks   steps, rising, after which a row is due besides the regular ones
     layers  (L, settle + 1) share of each load that comes on in layers, until the end of the settling; None without any
     straight   of its largest share: how far a history may leave the straight line that the loading takes for it
+    kinks      steps, rising, between which loads that vary exactly straight do so
     rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
     """
 
@@ -46,6 +47,7 @@ class Program:
     straight: float = 1e-3
     rest_from: int | None = None
     layers: np.ndarray | None = None
+    kinks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
 
     hurries_while_elastic = False
 
@@ -81,7 +83,7 @@ class Program:
         fewest = self.steps if self.rest_from is None else max(self.rest_from, self.steps // SOONEST)
         share = sqrt(fewest / max(self.steps, 1))
         steps, count = round(share * self.steps), round(share * min(rows, self.steps))
-        chunks = max(count, steps / LONGEST_CHUNK)
+        chunks = max(count, steps / LONGEST_CHUNK) + len(self.kinks)
         return Expected(steps, count + len(self.marks), chunks, least=share, most=1.0 / max(share, 1e-9))
 
     def settling(self) -> "Program":
@@ -113,7 +115,9 @@ class ScheduledLoading(Loading):
         load_factors, rises = program.load_factors, program.layers is None
         self.loads = None
         if load_factors is not None:
-            self.loads = VaryingLoads(model, load_factors, program.settle if rises else 0, program.straight)
+            self.loads = VaryingLoads(
+                model, load_factors, program.settle if rises else 0, program.straight, program.kinks
+            )
         self.every = max(1, program.steps // rows)
         self.last, self.still, self.most = program.steps, 0, 0.0
 

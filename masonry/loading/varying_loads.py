@@ -1,5 +1,6 @@
 """Loads that vary, each by a history of its own: straight from chunk to chunk, by one array of changes for all."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,14 @@ STRETCH = 200
 """Steps between two knots, at most."""
 
 
-def knots(load_factors: np.ndarray, settle: int, straight: float) -> np.ndarray:
-    """Steps, rising, between which each row (H, n + 1) is taken for straight: at most STRETCH apart, and at the
-    end of the settling; one apart where the factors bend too much from step to step.
+def knots(load_factors: np.ndarray, settle: int, straight: float, kinks: Sequence[int] | np.ndarray = ()) -> np.ndarray:
+    """Steps, rising, between which each row (H, n + 1) is taken for straight: at most STRETCH apart, at the end of the
+    settling and at all `kinks`; one apart where the factors bend too much from step to step.
 
     straight  of the largest factor of a history: how far it may leave the straight line between two knots
     """
     last = load_factors.shape[1] - 1
-    at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), [last]]))
+    at = np.unique(np.concatenate([[0], np.arange(settle, last, STRETCH), kinks, [last]]).astype(np.int64))
     while True:
         apart = np.zeros(last)
         for load_factor in load_factors:
@@ -91,9 +92,9 @@ class VaryingLoads(SharedLoads):
     latest, and one that ends before, as a row is due, leaves the line from knot to knot as it is.
     """
 
-    def __init__(self, model: Model, load_factors: np.ndarray, settle: int, straight: float) -> None:
+    def __init__(self, model: Model, load_factors: np.ndarray, settle: int, straight: float, kinks: np.ndarray) -> None:
         super().__init__(model)
-        self.settle, self.knots = settle, knots(load_factors, settle, straight)
+        self.settle, self.knots = settle, knots(load_factors, settle, straight, kinks)
         steps = np.arange(load_factors.shape[1])
         self.load_factors = np.array(
             [np.interp(steps, self.knots, load_factor[self.knots]) for load_factor in load_factors]

@@ -90,6 +90,8 @@ def _in_file(loc: Keys, raw: Any) -> Keys:
     for part in loc:
         if not isinstance(raw, (dict, list)) or part == "[key]":
             break
+        if isinstance(raw, dict) and isinstance(part, int):  # one table, where there may be several
+            continue
         path += (part,)
         below = raw.get(part) if isinstance(raw, dict) else None
         raw = raw[part] if isinstance(raw, list) and isinstance(part, int) and part < len(raw) else below

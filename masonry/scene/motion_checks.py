@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from masonry.errors import nearest
 from masonry.scene.tables.types import KeyedError
 
 LIMITS = ("rotation_limit", "slip_limit")
@@ -22,6 +23,8 @@ def require_fit(scene: Any) -> None:
     _real_time(scene)
     if scene.gravity is not None:
         _gravity(scene)
+    if scene.ground:
+        _ground(scene)
     if scene.limit is not None:
         _limit(scene)
     if scene.fill:
@@ -113,11 +116,47 @@ def _real_time(scene: Any) -> None:
             raise KeyedError("motion.0", real)
         if scene.settle is not None and scene.settle.steps == 0:
             raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
-    timed = scene.drive is not None or any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
+    varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
+    timed = scene.drive is not None or bool(scene.ground) or varies
     if scene.motion and not timed and scene.solver.duration is None:
         raise KeyedError("solver.duration", "missing; without a drive it says how long the run takes, such as '2 s'")
     if scene.solver.until is not None and not timed and scene.solver.duration is None:
         raise KeyedError("solver.duration", "missing; until = 'rest' needs it: the latest end, for example '10 s'")
+
+
+def _ground(scene: Any) -> None:
+    """Ground that moves: real masses, something that it holds, and one frame or supports of their own."""
+    if scene.solver.masses == "scaled":
+        raise KeyedError(
+            "solver.masses",
+            "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; leave it out",
+        )
+    if scene.is_controlled:
+        raise KeyedError("ground", "an accuracy controls the drive only; give drive.steps or drive.rate")
+    if scene.grows:
+        raise KeyedError("ground", "the load of [limit] grows alone; leave this out, or limit.accuracy")
+    if not scene.support and scene.floor is None:
+        raise KeyedError("ground", "nothing stands on the ground: give a table [[support]], or a [floor]")
+    _each_ground(scene)
+    names = [ground.on for ground in scene.ground]
+    if len(set(names)) < len(names):
+        raise KeyedError("ground", "two of them move the same support; keep one, with all its components")
+
+
+def _each_ground(scene: Any) -> None:
+    """What each of several grounds moves."""
+    held = [*(support.on for support in scene.support), *(["floor"] if scene.floor is not None else [])]
+    alone = len(scene.ground) == 1
+    for k, ground in enumerate(scene.ground):
+        own = "ground" if alone else f"ground.{k}"
+        if ground.on is None and not alone:
+            raise KeyedError(f"{own}.on", "missing; where several move apart, each names its support")
+        if not ground.moves_supports and ground.on is not None:
+            raise KeyedError(f"{own}.as", "supports that move apart have no frame in common: as = 'base'")
+        if ground.on is not None and ground.on not in held:
+            raise KeyedError(f"{own}.on", f"'{ground.on[:60]}' is no support; {nearest(ground.on, held)}")
+        if ground.moves_supports and scene.drive is not None:
+            raise KeyedError("drive", "supports that move leave no room for a drive; take ground.as = 'inertia'")
 
 
 def _gravity(scene: Any) -> None:

@@ -3,12 +3,13 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, WrapSerializer, model_validator
 
 from masonry.errors import did_you_mean, nearest
 from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
+from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
 from masonry.scene.tables.gauge import Curve, GaugeTable
 from masonry.scene.tables.gravity_and_floor import Floor, Gravity, InitialMotion
 from masonry.scene.tables.law_keys import AnyContact
@@ -50,6 +51,7 @@ class SceneData(Table):
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None
+    ground: Annotated[tuple[Ground, ...], BeforeValidator(as_tables), WrapSerializer(as_written)] = ()
     settle: Settle | None = None
     solver: Solver = Solver()
     gauge: tuple[GaugeTable, ...] = ()
@@ -111,6 +113,16 @@ class SceneData(Table):
         return bool(self.traction) or self.gravity is not None
 
     @property
+    def shaken(self) -> Ground | None:
+        """The ground in whose frame forces of inertia act; None without."""
+        return next((ground for ground in self.ground if not ground.moves_supports), None)
+
+    @property
+    def moved_grounds(self) -> tuple[Ground, ...]:
+        """Those that move supports."""
+        return tuple(ground for ground in self.ground if ground.moves_supports)
+
+    @property
     def comes_in_layers(self) -> bool:
         """Whether the weight comes on layer by layer, and not all at once."""
         return self.gravity is not None and self.gravity.layers > 1
@@ -133,6 +145,8 @@ class SceneData(Table):
             loads += self.gravity.paths
         paths = [path.turning_points() for path in loads]
         paths += [] if self.limit is None or self.limit.history is None else [self.limit.history]
+        if self.ground:
+            return True
         return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.reversals) > 1)
 
     @property
@@ -159,12 +173,20 @@ class SceneData(Table):
             del data["displacements"]
         return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}
 
+    @model_validator(mode="before")
+    @classmethod
+    def _ground_moves_real_masses(cls, data: Any) -> Any:
+        """Where the ground moves, masses are the real ones unless a scene says otherwise."""
+        if isinstance(data, dict) and data.get("ground") and isinstance(solver := data.get("solver", {}), dict):
+            return {**data, "solver": {"masses": "real", **solver}}
+        return data
+
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
-        if self.drive is None and not loads and not self.motion and not self.grows:
+        if self.drive is None and not loads and not self.motion and not self.grows and not self.ground:
             raise KeyedError("drive", "missing; without a drive, traction, gravity or load that grows nothing happens")
         if self.is_controlled and self.solver.masses == "real":
             raise KeyedError(
@@ -234,6 +256,8 @@ def dotted_keys(value: Any, path: str = "") -> Iterator[str]:
         items = value._asdict().items()
     elif isinstance(value, dict):
         items = value.items()
+    elif isinstance(value, tuple) and len(value) == 1 and isinstance(value[0], Ground):
+        items = ((name, below) for name, below in value[0])
     elif isinstance(value, tuple):
         items = enumerate(value)
     for name, below in items:

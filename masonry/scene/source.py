@@ -86,11 +86,13 @@ def read(scene: str | Path, above: tuple[str, ...] = (), typed: str | None = Non
 
 
 def _anchor(raw: dict[str, Any], file: Traversable) -> None:
-    """A file that the specimen comes from is looked for beside the scene that names it."""
-    specimen = raw.get("specimen")
-    path = specimen.get("path") if isinstance(specimen, dict) else None
-    if isinstance(specimen, dict) and isinstance(path, str) and path and isinstance(file, Path):
-        specimen["path"] = str(file.absolute().parent / path)
+    """Files that the specimen and the ground's motion come from are looked for beside the scene that names them."""
+    ground = raw.get("ground")
+    grounds = ground if isinstance(ground, list) else [ground]
+    for table, key in ((raw.get("specimen"), "path"), *((one, "record") for one in grounds)):
+        path = table.get(key) if isinstance(table, dict) else None
+        if isinstance(table, dict) and isinstance(path, str) and path and isinstance(file, Path):
+            table[key] = str(file.absolute().parent / path)
 
 
 def _below(source: Source, base: Any, file: Traversable, above: tuple[str, ...]) -> Source:

@@ -14,6 +14,7 @@ RIVALS = (
     {"points_per_edge", "points_per_face", "contact_spacing"},
     {"divisions", "cells"},
     {"total", "per_unit", "size"},
+    {"scale", "peak"},
 )
 
 

@@ -10,13 +10,19 @@ from typing import NamedTuple
 
 import numpy as np
 
-from masonry.quantity import convert
+from masonry.quantity import GRAVITY, convert
 
 LONGEST, DEEPEST = 400, 20
 """Characters of an expression, and parentheses within each other, at most."""
 UNITS = {"length": (1, 0), "time": (0, 1), "angle": (0, 0)}
 """Kinds of quantities that may occur: powers of length and time."""
-WORDS = {(1, 0): "a length", (0, 1): "a time", (0, 0): "a plain number"}
+MOTIONS = {"displacement": (1, 0), "velocity": (1, -1), "acceleration": (1, -2)}
+RESULTS = {"length": (1, 0), **MOTIONS}
+"""Kinds that a whole expression may be of besides a plain number; those of a motion of the ground."""
+WORDS = {
+    **{(1, 0): "a length", (0, 1): "a time", (0, 0): "a plain number"},
+    **{(1, -1): "a velocity", (1, -2): "an acceleration"},
+}
 ALLOWED = "allowed: numbers with units, t, pi, sin, cos, ramp, triangle, + - * / and parentheses"
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3}(?![A-Za-z]))?"
 _NAME = re.compile("[A-Za-zµμ°]+")
@@ -43,16 +49,20 @@ def triangle(x: Values) -> Values:
 
 FUNCTIONS: dict[str, Callable[[Values], Values]] = {"sin": np.sin, "cos": np.cos, "ramp": ramp, "triangle": triangle}
 NAMES = {"t": Term((0, 1), lambda t: t), "pi": Term((0, 0), lambda t: np.full_like(t, np.pi))}
+GRAVITY_ALONE = {"g": Term((1, -2), lambda t: np.full_like(t, float(GRAVITY)))}
 
 
 def read(text: str, kind: str) -> Callable[[Values], Values]:
-    """The values (SI) at times (n,) s of an expression of kind "length" or "number"; ValueError says what is wrong."""
+    """The values (SI) at times (n,) s of an expression; ValueError says what is wrong.
+
+    kind  "number" or one of RESULTS; in a motion of the ground, g is the acceleration of gravity
+    """
     if len(text) > LONGEST:
         raise ValueError(f"an expression of {len(text)} characters; at most {LONGEST} are allowed")
-    reader = _Reader(text)
+    reader = _Reader(text, NAMES | GRAVITY_ALONE if kind in MOTIONS else NAMES)
     term = reader.sum()
     reader.end()
-    wanted = UNITS.get(kind, (0, 0))
+    wanted = RESULTS.get(kind, (0, 0))
     if term.powers != wanted:
         is_a = WORDS.get(term.powers, f"in m^{term.powers[0]} s^{term.powers[1]}")
         raise ValueError(f"the expression is {is_a}, and must be {WORDS[wanted]}")
@@ -62,8 +72,8 @@ def read(text: str, kind: str) -> Callable[[Values], Values]:
 class _Reader:
     """Walks over the tokens of an expression; one method a level of the grammar."""
 
-    def __init__(self, text: str) -> None:
-        self.text, self.tokens, self.k, self.depth = text, [], 0, 0
+    def __init__(self, text: str, names: dict[str, Term]) -> None:
+        self.text, self.names, self.tokens, self.k, self.depth = text, names, [], 0, 0
         place = 0
         while rest := text[place:].strip():
             match = _TOKEN.match(text, place)
@@ -132,12 +142,12 @@ class _Reader:
         if word[:1].isdigit() or word[:1] == ".":
             self.k += 1
             unit = self.word
-            if _NAME.match(unit) and unit not in NAMES and unit not in FUNCTIONS:
+            if _NAME.match(unit) and unit not in self.names and unit not in FUNCTIONS:
                 return self.quantity(word)
             return _constant((0, 0), float(word))
-        if word in NAMES:
+        if word in self.names:
             self.k += 1
-            return NAMES[word]
+            return self.names[word]
         if word in FUNCTIONS:
             self.k += 1
             return self.call(word)

@@ -26,14 +26,14 @@ NO_ROTATION = 1e-9
 Axis = Literal["x", "y", "z"]
 
 
-def _with_unit(kind: str) -> BeforeValidator:
+def with_unit(kind: str) -> BeforeValidator:
     """A plain 0 needs no unit."""
     return BeforeValidator(lambda x: f"0 {KINDS[kind].unit}" if x == 0 and not isinstance(x, bool | str) else x)
 
 
-Speed = Annotated[float, Given("velocity", "[-1e6, 1e6]"), _with_unit("velocity")]
-Spin = Annotated[float, Given("angular velocity", "[-1e6, 1e6]"), _with_unit("angular velocity")]
-Coordinate = Annotated[Position, _with_unit("length")]
+Speed = Annotated[float, Given("velocity", "[-1e6, 1e6]"), with_unit("velocity")]
+Spin = Annotated[float, Given("angular velocity", "[-1e6, 1e6]"), with_unit("angular velocity")]
+Coordinate = Annotated[Position, with_unit("length")]
 
 
 class Tilt(Table):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.ground.motion import from_acceleration, from_displacement, from_formula, from_samples, from_velocity
+from masonry.ground.ground_motion import from_acceleration, from_displacement, from_formula, from_samples, from_velocity
 
 RANDOM = np.random.default_rng(3)
 TIME = np.arange(300) * 0.01

@@ -1,0 +1,164 @@
+"""What a scene says of the ground that moves: a record or a formula, one to three components, scaled, and from when."""
+
+import re
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, PlainSerializer, create_model, model_validator
+
+from masonry.errors import SceneError
+from masonry.ground.ground_motion import Motion, from_formula, from_samples
+from masonry.ground.record_file import RecordFile, factor_of, read_record
+from masonry.quantity import convert
+from masonry.scene.tables import expression
+from masonry.scene.tables.gravity_and_floor import with_unit
+from masonry.scene.tables.types import Duration, Given, KeyedError, Table
+
+AXES = "xyz"
+STILL = 1e-9
+"""m/s2: ground that accelerates by less does not shake."""
+_IN_G = re.compile(r"\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*g\s*", re.ASCII)
+
+
+def _peak(value: Any) -> Any:
+    """An acceleration, in which g is that of gravity."""
+    match = _IN_G.fullmatch(value) if isinstance(value, str) and len(value) < 60 else None
+    return convert(f"{match[1]} g_n" if match else value, "acceleration", "peak", "(0, 1e6]")
+
+
+if TYPE_CHECKING:
+    _HasAs = Table
+else:  # "as" is a word of Python's own
+    _HasAs = create_model("_HasAs", __base__=Table, **{"as": (Literal["inertia", "base"], "inertia")})
+
+
+class Ground(_HasAs):
+    """A motion that supports and floor share: columns of a `record`, or formulas of t for a `duration`.
+
+    as  "inertia": the frame of the ground, in which forces of inertia act; "base": supports and floor are moved
+    on  selector of the support (or "floor") that moves so, where several move apart
+    """
+
+    record: Annotated[str, Field(min_length=1)] | None = None
+    quantity: Literal["acceleration", "velocity", "displacement"] = "acceleration"
+    unit: Annotated[str, Field(min_length=1, max_length=40)] | None = None
+    time: Annotated[str, Field(min_length=1, max_length=200)] | None = None
+    x: Annotated[str, Field(min_length=1)] | None = None
+    y: Annotated[str, Field(min_length=1)] | None = None
+    z: Annotated[str, Field(min_length=1)] | None = None
+    duration: Duration | None = None
+    scale: Annotated[float, Given("number", "[-1e6, 1e6]")] | None = None
+    peak: Annotated[float, BeforeValidator(_peak), PlainSerializer(lambda value: f"{value!r} m/s^2")] | None = None
+    begin: Annotated[float, Given("time", "[0, 1e6]"), with_unit("time")] = 0.0
+    baseline: Literal["none", "linear"] = "none"
+    on: Annotated[str, Field(min_length=1)] | None = None
+
+    @property
+    def moves_supports(self) -> bool:
+        """Whether supports and floor are moved; else forces of inertia act in the frame of the ground."""
+        return bool(getattr(self, "as") == "base")
+
+    @property
+    def components(self) -> dict[str, str]:
+        """The axes along which it moves, in the order x, y, z, each with its column or formula."""
+        return {axis: word for axis in AXES if (word := getattr(self, axis)) is not None}
+
+    @property
+    def motions(self) -> dict[str, Motion]:
+        """The motion along each axis, with its baseline and to scale; time 0 is where it begins. Raises SceneError."""
+        stamp = None if self.record is None else _stamp(self.record)
+        return _motions(self, stamp)
+
+    @property
+    def runs_for(self) -> float:
+        """s, until the motion ends, the time before it begins included."""
+        return self.begin + max(motion.duration for motion in self.motions.values())
+
+    @model_validator(mode="after")
+    def _has_one_source(self) -> "Ground":
+        if not self.components:
+            raise KeyedError("x", "missing; name a column of the record or a formula of t for one or more of x, y, z")
+        if self.scale is not None and self.peak is not None:
+            raise KeyedError("peak", "scale and peak exclude each other; keep one of them")
+        if self.scale == 0.0:
+            raise KeyedError("scale", "ground that is scaled by 0 does not move; leave the table out")
+        if self.record is None:
+            self._formulas_are_whole()
+        elif self.duration is not None:
+            raise KeyedError("duration", "a record has its own; leave it out (solver.duration ends a run before)")
+        elif self.unit is not None:
+            _checked("unit", factor_of, self.unit, self.quantity, "unit")
+        return self
+
+    def _formulas_are_whole(self) -> None:
+        for axis, text in self.components.items():
+            _checked(axis, expression.read, text, self.quantity)
+        for key in ("unit", "time"):
+            if getattr(self, key) is not None:
+                raise KeyedError(key, f"belongs to a record; a formula has units of its own, {axis} = '0.4 g * ...'")
+        if self.duration is None:
+            raise KeyedError("duration", "missing; a formula needs it, for example '10 s'; or give record, a CSV file")
+
+
+def as_tables(value: Any) -> Any:
+    """One table, or several in double brackets."""
+    return (value,) if isinstance(value, dict | Ground) else value
+
+
+def as_written(value: tuple[Ground, ...], handler: Any) -> Any:
+    """One alone is a table."""
+    tables = handler(value)
+    return tables[0] if len(tables) == 1 and "on" not in tables[0] else tables
+
+
+def _checked(key: str, read: Any, *arguments: Any) -> None:
+    """KeyedError where what a key holds cannot be read."""
+    try:
+        read(*arguments)
+    except ValueError as error:
+        raise KeyedError(key, str(error).removeprefix(f"{key}: ")) from None
+
+
+def _stamp(record: str) -> int | None:
+    """When a file was changed last."""
+    try:
+        return Path(record).stat().st_mtime_ns
+    except (OSError, ValueError):
+        return None
+
+
+@lru_cache(maxsize=16)
+def _record(record: str, stamp: int | None) -> RecordFile:
+    return read_record(Path(record))
+
+
+@lru_cache(maxsize=16)
+def _motions(ground: Ground, stamp: int | None) -> dict[str, Motion]:
+    """See Ground.motions."""
+    motions = {axis: _component(ground, axis, word, stamp) for axis, word in ground.components.items()}
+    most = max(motion.peak_acceleration for motion in motions.values())
+    if most < STILL:
+        raise SceneError("ground: it never accelerates; is this the right column?")
+    scale = ground.peak / most if ground.peak is not None else 1.0 if ground.scale is None else ground.scale
+    return {axis: motion.scaled(scale) for axis, motion in motions.items()}
+
+
+def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motion:
+    """One component as it is given, with its baseline."""
+    try:
+        if ground.record is not None:
+            file = _record(ground.record, stamp)
+            values = file.samples(word, ground.quantity, ground.unit)
+            return from_samples(ground.quantity, file.time(ground.time), values, ground.baseline)
+        assert ground.duration is not None
+        motion = from_formula(ground.quantity, expression.read(word, ground.quantity), ground.duration)
+        if ground.baseline == "linear" and ground.quantity == "acceleration":
+            return motion.with_linear_baseline()
+        return motion
+    except SceneError as error:
+        if str(error).startswith("unit: "):
+            raise SceneError(f"ground.{error}") from None
+        raise error.within("ground.record") from None
+    except ValueError as error:
+        raise SceneError(f"ground.{axis}: {error}") from None
