@@ -51,6 +51,22 @@ class Recipe:
     longest: float = 4.0
     tolerance: float = 0.1
 
+    @property
+    def intervals(self) -> int:
+        """How many steps there are."""
+        return round(self.duration / self.step)
+
+    def require(self) -> None:
+        """Raise ValueError, "key: what is wrong", where it cannot be followed."""
+        if abs(self.intervals * self.step - self.duration) > 1e-9 * self.duration or self.intervals < 64:
+            raise ValueError("duration: must be a whole number of steps, 64 or more")
+        if self.rise + self.strong >= self.duration:
+            raise ValueError("strong: rise and strong must be shorter together than duration")
+        if self.shortest < 4.0 * self.step * (1.0 - 1e-9) or self.longest > 0.5 * self.duration:
+            raise ValueError("longest: periods must lie between four steps and half of the duration")
+        if self.shortest >= self.longest:
+            raise ValueError("shortest: must be less than longest")
+
 
 @dataclass(frozen=True)
 class MadeRecord:
@@ -76,7 +92,8 @@ def make_record(recipe: Recipe, seed: int, component: int = 0) -> MadeRecord:
 
     Raises ValueError where a recipe cannot be followed, or the record is further off than its tolerance.
     """
-    time = np.arange(_intervals(recipe) + 1) * recipe.step
+    recipe.require()
+    time = np.arange(recipe.intervals + 1) * recipe.step
     envelope = _envelope(recipe, time)
     draws = np.random.Generator(np.random.PCG64([seed, component]))
     best = _made(recipe, time, envelope, draws)
@@ -100,17 +117,6 @@ def _made(recipe: Recipe, time: np.ndarray, envelope: np.ndarray, draws: np.rand
         raise ValueError("peak: missing; a power spectrum has a shape only")
     acceleration = at_rest(time, waves.acceleration(np.sqrt(recipe.spectrum.power(waves.rates))), envelope)
     return _judged(recipe, time, rounded(acceleration * (recipe.peak / np.abs(acceleration).max()), DIGIT))
-
-
-def _intervals(recipe: Recipe) -> int:
-    count = round(recipe.duration / recipe.step)
-    if abs(count * recipe.step - recipe.duration) > 1e-9 * recipe.duration or count < 64:
-        raise ValueError("duration must be a whole number of steps, 64 or more")
-    if recipe.rise + recipe.strong >= recipe.duration:
-        raise ValueError("rise and strong must be shorter together than duration")
-    if recipe.shortest < 4.0 * recipe.step or recipe.longest > recipe.duration / 2.0:
-        raise ValueError("periods must lie between four steps and half of the duration")
-    return count
 
 
 def _envelope(recipe: Recipe, time: np.ndarray) -> np.ndarray:
