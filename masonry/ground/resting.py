@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from masonry.ground.motion import from_acceleration
+from masonry.ground.ground_motion import from_acceleration
 
 
 def residuals(time: np.ndarray, acceleration: np.ndarray) -> tuple[float, float]:
