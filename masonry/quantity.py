@@ -27,6 +27,8 @@ KINDS = {
     "length": Kind("a length", "m", "200 mm"),
     "area": Kind("an area", "m^2", "0.01 m^2"),
     "time": Kind("a time", "s", "1e-6 s"),
+    "frequency": Kind("a frequency", "Hz", "2 Hz"),
+    "rate": Kind("a rate", "s^-1", "0.5 s^-1"),
     "angle": Kind("an angle", "rad", "45 deg"),
     "velocity": Kind("a velocity", "m/s", "0.1 mm/s"),
     "angular velocity": Kind("an angular velocity", "rad/s", "2 rad/s"),

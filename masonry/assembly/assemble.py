@@ -28,7 +28,7 @@ from masonry.laws import factory
 from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name
-from masonry.model.damping import damping_of
+from masonry.model.damping import damping_of, swing_of
 from masonry.model.gauges import Gauge
 from masonry.model.large.meeting import Meetings
 from masonry.model.layout import Layout, Material, lay_out
@@ -118,7 +118,10 @@ def _stepping(scene: Scene, mesh: TetMesh | None, meetings: Meetings | None) -> 
             "for it with scaled masses, where solver.damping does the same"
         )
     damping = damping_of(solver, scene.is_controlled)
-    return model.Stepping(solver.masses, solver.time_step, solver.step_fraction, damping)
+    if not scene.swings:
+        return model.Stepping(solver.masses, solver.time_step, solver.step_fraction, damping)
+    damping = damping if scene.settles else None
+    return model.Stepping(solver.masses, solver.time_step, solver.step_fraction, damping, swing_of(scene.damping))
 
 
 def _recording(scene: Scene, specimen: Specimen, gauges: tuple[Gauge, ...], surroundings: Surroundings) -> Recording:

@@ -68,7 +68,7 @@ def program_of(scene: Scene, dt: float) -> Program:
         plan = replace(plan, straight=TILTED)
     if scene.solver.until is not None:
         plan = replace(plan, rest_from=plan.steps)
-    if scene.motion and plan.settle:
+    if (scene.motion or scene.swings) and plan.settle:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
     if scene.solver.duration is not None:
         plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)

@@ -1,9 +1,21 @@
-"""Blocks that start in motion, or under dead loads that act at once: they are struck, and the work is booked."""
+"""The end of the settling: other damping acts, and blocks start in motion, or under dead loads that act at once: they
+are struck, and the work is booked."""
 
 import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
+
+
+def phases(model: Model) -> tuple[bool, ...]:
+    """The phases of a run by whether the dead loads have settled, the first one last, where their damping differs."""
+    return (False,) if model.phases is None else (True, False)
+
+
+def damp(model: Model, settled: bool) -> None:
+    """Let act what damps before the end of the settling, or from then on."""
+    if model.phases is not None:
+        model.damping = model.phases.swinging if settled else model.phases.settling
 
 
 def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
@@ -25,10 +37,11 @@ def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
 
 
 def set_off(model: Model, before: list[np.ndarray]) -> None:
-    """Add the velocities with which blocks start, once the dead loads have settled.
+    """Once the dead loads have settled: other damping, and the velocities with which blocks start.
 
     before  velocities one step earlier, in the order of the bodies that there are
     """
+    damp(model, settled=True)
     _strike(model, model.motion or {}, before)
 
 

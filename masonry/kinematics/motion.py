@@ -19,17 +19,26 @@ class Guided(NamedTuple):
     xi: float
 
 
+class Dragged(NamedTuple):
+    """Damping of the mass: h = c dt / 2, for a viscosity of c times the mass against the velocity."""
+
+    half_c_dt: float
+
+
 def resist(damping, dt_over_mass, force, velocity, now, before):
     """What damping adds to the force on a dof that is expected to move at `before`, and at `now` after the step.
 
-    None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Guided: the rest of the velocity, v - expected,
-    decays by (1 - h) / (1 + h) a step, and the expected part follows the drive without any force. Leapfrog with
-    a viscosity taken at the middle of the step is stable as without, so the bound is that of the local part.
+    None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Dragged: all of the velocity decays by
+    (1 - h) / (1 + h) a step. Guided: so does the rest of the velocity, v - expected, and the expected part follows the
+    drive without any force. Leapfrog with a viscosity taken at the middle of the step is stable as without, so the
+    bound is that of the local part.
     """
     if damping is None:
         return 0.0
     if isinstance(damping, Guided):
         return _guided(damping.half_c_dt, damping.xi, dt_over_mass, force, velocity, now, before)
+    if isinstance(damping, Dragged):
+        return _dragged(damping.half_c_dt, dt_over_mass, force, velocity)
     return _local(damping, force, velocity)
 
 
@@ -47,6 +56,11 @@ def _guided(half_c_dt, xi, dt_over_mass, force, velocity, now, before):
     return (after - velocity) / dt_over_mass - force
 
 
+@register_jitable
+def _dragged(half_c_dt, dt_over_mass, force, velocity):
+    return -half_c_dt / (1.0 + half_c_dt) * (force + 2.0 * velocity / dt_over_mass)
+
+
 @overload(resist)
 def _resist(damping, dt_over_mass, force, velocity, now, before):
     if isinstance(damping, (types.NoneType, types.Omitted)):
@@ -54,6 +68,10 @@ def _resist(damping, dt_over_mass, force, velocity, now, before):
     if getattr(damping, "instance_class", None) is Guided:
         return lambda damping, dt_over_mass, force, velocity, now, before: _guided(
             damping.half_c_dt, damping.xi, dt_over_mass, force, velocity, now, before
+        )
+    if getattr(damping, "instance_class", None) is Dragged:
+        return lambda damping, dt_over_mass, force, velocity, now, before: _dragged(
+            damping.half_c_dt, dt_over_mass, force, velocity
         )
     return lambda damping, dt_over_mass, force, velocity, now, before: _local(damping, force, velocity)
 

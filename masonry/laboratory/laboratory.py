@@ -18,7 +18,7 @@ from masonry.laboratory.settling_search import settled
 from masonry.laboratory.summary.provenance import provenance_of
 from masonry.laboratory.summary.run_summary import add_tilt, summarise
 from masonry.laws.law_dispatch import word_of
-from masonry.model.damping import damping_words
+from masonry.model.damping import damping_words, swing_of
 from masonry.results.data import properties_by_group
 from masonry.results.joint_resultants import resultants
 from masonry.rows.rest_criterion import SETTLED
@@ -173,7 +173,7 @@ def left_out(assembly: Assembly) -> list[str]:
         **{f"{kind}: no such loops, no such degrees of freedom": body is None for kind, body in kinds},
         "dead loads (gravity, traction): no load arrays, no work": not loaded,
         "loads that vary: dead loads stay as they are": loaded and not m.varying,
-        "damping": m.damping is None,
+        "damping": m.damping is None and (m.phases is None or m.phases.swinging is None),
         "drive": all(drive is None for drive in m.drives),
         "expected motion: a drive at a rate or in steps does not need it": all(body.guess is None for body in bodies),
         **{line: True for line in _left_out_of_contacts(assembly)},
@@ -207,4 +207,7 @@ def compiled(assembly: Assembly) -> list[str]:
     laws = []
     for g, (name, parameters) in enumerate(zip(m.group_names, m.groups.parameters, strict=True)):
         laws.append(f"{name}: {f'{word_of(parameters)} law' if g in m.swept else 'friction in patches, found anew'}")
-    return [*names, *laws, damping_words(m.damping), "energy ledger"]
+    scene = assembly.scene
+    damping = [damping_words(m.damping)] if scene.settles or not scene.swings else []
+    damping += [f"{swing_of(scene.damping).words} once dead loads have settled"] if scene.swings else []
+    return [*names, *laws, *damping, "energy ledger"]

@@ -7,14 +7,12 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
-from masonry.kinematics.motion import Guided
 from masonry.monitors.events import Event
 from masonry.runtime.progress import Effort
 from masonry.runtime.state_file import Remembering
 
 Arrays = dict[str, np.ndarray]
 Rows = dict[str, np.ndarray]
-Damping = float | Guided | None
 
 
 class Expected(NamedTuple):

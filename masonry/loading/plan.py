@@ -5,8 +5,9 @@ from typing import Protocol
 
 import numpy as np
 
-from masonry.loading.loading import Damping, Expected, Loading
+from masonry.loading.loading import Expected, Loading
 from masonry.loading.scheduled import Program
+from masonry.model.damping import Damping
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 

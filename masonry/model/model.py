@@ -20,7 +20,7 @@ from masonry.model.body_arrays import (
     rows_of_sides,
 )
 from masonry.model.contact_groups import contact_groups
-from masonry.model.damping import Damping, damping_in_steps, expects_motion, local_damping
+from masonry.model.damping import Damping, Phases, Swing, damping_in_steps, expects_motion, local_damping
 from masonry.model.kinds import dof_words
 from masonry.model.large.block_motion import masses_behind
 from masonry.model.large.meeting import (
@@ -43,12 +43,14 @@ from masonry.simd.rows import aligned
 @dataclass(frozen=True)
 class Stepping:
     """How time advances. masses: "scaled" (quasi-static) or "real"; time_step: "gershgorin", "equation-11", or seconds;
-    step_fraction: of the proven bound (of eq. (11): its frac); damping: of damping.py."""
+    step_fraction: of the proven bound (of eq. (11): its frac); damping: of damping.py; swing: what damps once the dead
+    loads have settled, None where that is the same."""
 
     masses: str = "scaled"
     time_step: str | float = "gershgorin"
     step_fraction: float = 0.9
     damping: Damping = 0.8
+    swing: Swing | None = None
 
 
 class Stiffness(NamedTuple):
@@ -67,6 +69,7 @@ class Model:
     swept  contact groups whose law the step calls
     alive  (C,) which contacts hold; patches take the place of those that do not
     large  what there is besides in large displacement; configuration/configuration.py asks whether there is
+    damping  of bodies, now; phases: before and after the end of the settling, None where it stays
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     """
 
@@ -94,6 +97,7 @@ class Model:
     scaled: bool = True
     large: Large | None = None
     motion: dict[str, np.ndarray] | None = None
+    phases: Phases | None = None
     parts: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
@@ -186,6 +190,7 @@ def build(
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
         motion=conditions.motion,
+        phases=_phases(stepping, dt),
     )
     return model if meetings is None else enlarged(model, meetings, masses)
 
@@ -244,6 +249,13 @@ def _bounded(
     rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
     stable_step.unscale(rates, layout, length)
     return stepping, with_dashpots(sums, rates, real, local_damping(stepping.damping))
+
+
+def _phases(stepping: Stepping, dt: float) -> Phases | None:
+    """The damping of bodies in steps of dt (s), where it changes at the end of the settling."""
+    if stepping.swing is None:
+        return None
+    return Phases(damping_in_steps(stepping.damping, dt), stepping.swing.of_bodies(dt))
 
 
 def _groups(names: tuple[str, ...], group: np.ndarray, laws: dict[str, tuple]) -> tuple[Groups, ContactState]:
@@ -327,7 +339,7 @@ def _stepping(
     layout: Layout, sums: dict, real: dict, conditions: Conditions, stepping: Stepping, kn: np.ndarray
 ) -> tuple[dict, float, float, str]:
     """Masses of motion, time step, its proven bound, and what limits it."""
-    xi = local_damping(stepping.damping)
+    xi = max(local_damping(stepping.damping), 0.0 if stepping.swing is None else stepping.swing.local)
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     if stepping.masses == "real":
         bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)

@@ -245,6 +245,7 @@ class Movements(Record):
     overlap_max: float | None = None
     met: str | None = None
     in_real_time: bool | None = None
+    damping_after_settling: str | None = None
     collapse: FirstFall | None = one_of(FirstFall)
     collapse_load: CollapseLoad | None = one_of(CollapseLoad)
 

@@ -21,6 +21,8 @@ def require_fit(scene: Any) -> None:
     if scene.scatter is not None and "default" in scene.scatter.groups:
         raise KeyedError("scatter.default", "scatter needs a group of its own, with its own table of contacts")
     _real_time(scene)
+    if scene.damping is not None:
+        _damping(scene)
     if scene.gravity is not None:
         _gravity(scene)
     if scene.ground:
@@ -107,13 +109,18 @@ def _large_only(scene: Any) -> None:
 
 
 def _real_time(scene: Any) -> None:
-    """Times and velocities are those of real masses."""
+    """Times, velocities and ratios of damping are those of real masses."""
     if scene.solver.masses != "real":
         real = "needs solver.masses = 'real': scaled masses do not move in real time"
-        if scene.solver.duration is not None:
-            raise KeyedError("solver.duration", real)
-        if scene.motion:
-            raise KeyedError("motion.0", real)
+        in_real_time = {
+            "solver.duration": scene.solver.duration is not None,
+            "damping": scene.damping is not None,
+            "motion.0": bool(scene.motion),
+            "curve.x": scene.curve is not None and scene.curve.x == "time",
+        }
+        for key, is_there in in_real_time.items():
+            if is_there:
+                raise KeyedError(key, real)
         if scene.settle is not None and scene.settle.steps == 0:
             raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
     varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
@@ -157,6 +164,17 @@ def _each_ground(scene: Any) -> None:
             raise KeyedError(f"{own}.on", f"'{ground.on[:60]}' is no support; {nearest(ground.on, held)}")
         if ground.moves_supports and scene.drive is not None:
             raise KeyedError("drive", "supports that move leave no room for a drive; take ground.as = 'inertia'")
+
+
+def _damping(scene: Any) -> None:
+    """Mass damping brakes motion relative to the ground; a drive, and supports that move, carry the specimen along."""
+    if not scene.damping.mass_rate:
+        return
+    key = "damping.mass"
+    if scene.drive is not None:
+        raise KeyedError(key, "brakes motion relative to the ground, not to a drive: give a [ground] instead")
+    if scene.moved_grounds:
+        raise KeyedError(key, "brakes motion relative to the ground, which is at rest with ground.as = 'inertia' only")
 
 
 def _gravity(scene: Any) -> None:

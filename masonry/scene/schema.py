@@ -10,6 +10,7 @@ from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
+from masonry.scene.tables.dynamics.swing import DampingTable
 from masonry.scene.tables.gauge import Curve, GaugeTable
 from masonry.scene.tables.gravity_and_floor import Floor, Gravity, InitialMotion
 from masonry.scene.tables.law_keys import AnyContact
@@ -52,6 +53,7 @@ class SceneData(Table):
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None
     ground: Annotated[tuple[Ground, ...], BeforeValidator(as_tables), WrapSerializer(as_written)] = ()
+    damping: DampingTable | None = None
     settle: Settle | None = None
     solver: Solver = Solver()
     gauge: tuple[GaugeTable, ...] = ()
@@ -121,6 +123,16 @@ class SceneData(Table):
     def moved_grounds(self) -> tuple[Ground, ...]:
         """Those that move supports."""
         return tuple(ground for ground in self.ground if ground.moves_supports)
+
+    @property
+    def settles(self) -> bool:
+        """Whether dead loads settle before anything else moves."""
+        return self.has_dead_loads and (self.settle is None or self.settle.steps > 0)
+
+    @property
+    def swings(self) -> bool:
+        """Whether other damping acts once the dead loads have settled: that of [damping], else none."""
+        return self.damping is not None or bool(self.ground)
 
     @property
     def comes_in_layers(self) -> bool:

@@ -5,6 +5,7 @@ import numpy as np
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
+from masonry.configuration.setting_off import damp, phases
 from masonry.kinematics.shared import SHARED
 from masonry.model.model import Model
 from masonry.monitors.collisions.collision import compile_look
@@ -19,7 +20,9 @@ def compile_for(model: Model, threads: int) -> None:
 
     def compile_step() -> None:
         configuration = configuration_of(model)
-        configuration.advance(Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
+        for settled in phases(model):
+            damp(model, settled)
+            configuration.advance(Chunk(np.zeros(1), np.zeros(1), False), threads, 0, 0, np.zeros(0))
         energy.observe(model)
         if not configuration.any_size:
             compile_look(model)
@@ -29,7 +32,11 @@ def compile_for(model: Model, threads: int) -> None:
 
 def is_compiled(model: Model, threads: int) -> bool:
     """Whether all parts of the step of such a model are there to be loaded."""
-    return configuration_of(model).program(threads, np.zeros(SHARED)).is_compiled
+    compiled = []
+    for settled in phases(model):
+        damp(model, settled)
+        compiled.append(configuration_of(model).program(threads, np.zeros(SHARED)).is_compiled)
+    return all(compiled)
 
 
 def advance_model(model: Model, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
-from masonry.configuration.setting_off import set_off
+from masonry.configuration.setting_off import damp, set_off
 from masonry.errors import TurnedTooFar
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
@@ -75,6 +75,7 @@ class Loop:
     def run(self, progress: Callable[[int, int, str], None] | None, checkpointer: Checkpointer | None) -> None:
         if not self.observed:
             self.take_row(0, energy.velocities(self.model))
+        damp(self.model, self.done >= self.settle)
         while (chunk := self.loading.next()) is not None:
             before = self.take_steps(self.done, chunk)
             self.done += chunk.steps

@@ -42,12 +42,14 @@ LARGE = 'displacements = "large"'
 TILT = GRAVITY + 'tilt = {about = "y", angle = "25 deg", steps = 4000}\n'
 REAL = '[solver]\nmasses = "real"\nduration = "2 s"\n'
 MOTION = '[[motion]]\non = "top"\nvelocity = ["1 m/s", 0, 0]\nspin = [0, "-2 rad/s", 0]\n'
+DRIVE = '[drive]\non = "top"\ndirection = "x"\ndisplacement = "1 mm"\nrate = "1 mm/s"\n'
 WHOLE = {
     "large": scene(LARGE, contact="default", dashpot="normal_dashpot = 0.2"),
     "until": scene(LARGE, more=GRAVITY + REAL + 'until = "rest"\n'),
     "tilt": scene(more=TILT),
     "history": scene(more=GRAVITY + 'history = "sin(2 pi t / 1 s)"\nduration = "2 s"\n'),
     "motion": scene(more=MOTION + 'about = ["1 mm", 0, "0 m"]\n' + REAL),
+    "mass damping": scene(more=GRAVITY + REAL + '[damping]\nmass = {ratio = "5 %", at = "2 Hz"}\n'),
     "floor": scene(more=GRAVITY + '[floor]\nlevel = "-1 m"\nsize = ["3 m", "2 m"]\nthickness = "0.5 m"\n'),
     "plain floor": scene(more=GRAVITY + "[floor]\n"),
     "turned": scene(specimen='turned = {about = "y", angle = "5 deg", through = ["1 mm", "0 m", "0 m"]}'),
@@ -105,6 +107,22 @@ WRONG = {
     ),
     "scaled": ({"more": GRAVITY + '[solver]\nduration = "1 s"\n'}, "solver.duration: needs solver.masses = 'real'"),
     "scaled motion": ({"more": GRAVITY + MOTION}, "motion.0: needs solver.masses = 'real'"),
+    "scaled damping": (
+        {"more": GRAVITY + "[damping]\n"},
+        "damping: needs solver.masses = 'real': scaled masses do not",
+    ),
+    "mass and local": (
+        {"more": GRAVITY + REAL + '[damping]\nmass = "1 s^-1"\nlocal = 0.1\n'},
+        "damping.local: mass and local exclude each other",
+    ),
+    "mass at": (
+        {"more": GRAVITY + REAL + '[damping]\nmass = {ratio = "5 %"}\n'},
+        "damping.mass: mass takes a quantity, or {ratio = '5 %', at = '2 Hz'}",
+    ),
+    "mass and drive": (
+        {"more": REAL + '[damping]\nmass = "1 s^-1"\n' + DRIVE},
+        "damping.mass: brakes motion relative to the ground",
+    ),
     "at once": ({"more": GRAVITY + "[settle]\nsteps = 0\n"}, "settle.steps: 0 needs solver.masses = 'real'"),
     "no end": ({"more": MOTION + '[solver]\nmasses = "real"\n'}, "solver.duration: missing; without a drive"),
     "no unit": ({"more": MOTION.replace('"1 m/s"', "1") + REAL}, "1 has no unit; velocity is a velocity"),

@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
+from masonry.model.damping import swing_of
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
@@ -20,12 +21,13 @@ STEADILY = "it went down no faster than the drive made it, so it may stand"
 def movements(assembly: Assembly, outcome: Outcome) -> Movements:
     """The largest turn and overlap; in large displacement whether it is a motion in time, and what fell."""
     grown = outcome.loading.collapse_load(outcome.history.rows, assembly.specimen.sets)
-    observed, large = outcome.observed, assembly.scene.is_large
+    observed, large, scene = outcome.observed, assembly.scene.is_large, assembly.scene
     return Movements(
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),
         met=outcome.found.get("met", ""),
-        in_real_time=not assembly.model.scaled if large else None,
+        in_real_time=not assembly.model.scaled if large or scene.swings else None,
+        damping_after_settling=swing_of(scene.damping).words if scene.swings else None,
         collapse=_collapse(assembly, outcome) if large else None,
         collapse_load=None if grown is None else CollapseLoad.read(grown),
     )

@@ -8,7 +8,6 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
-from masonry.kinematics.motion import Guided
 from masonry.loading.drive.adaptive_settings import SETTINGS, AdaptiveSettings
 from masonry.loading.drive.approach import Approach
 from masonry.loading.drive.bounds import Bounds, DragLook
@@ -21,6 +20,7 @@ from masonry.loading.drive.utilisation import Dry, utilisation
 from masonry.loading.loading import Expected, Loading, LoadingOutcome
 from masonry.loading.plan import PacedPlan
 from masonry.loading.scheduled import LONGEST_CHUNK
+from masonry.model.damping import Damping
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Event
@@ -56,7 +56,7 @@ class Controlled(PacedPlan):
 
     hurries_while_elastic = True
 
-    def settling_damping(self, damping: float | Guided | None) -> Guided:
+    def settling_damping(self, damping: Damping) -> Damping:
         """That of the run, before the first increment is made."""
         return AT_FIRST
 

@@ -1,0 +1,74 @@
+"""What damps once the dead loads have settled: none, of the mass, or local; and that a run goes on so after a stop."""
+
+import numpy as np
+import pytest
+
+from masonry.laboratory import laboratory
+from tests.scenes import load
+
+SCENE = """
+law = "elastic"
+kinematics = "rigid"
+[specimen]
+kind = "prism"
+units = 2
+length = "0.2 m"
+width = "0.2 m"
+height = "0.1 m"
+[material.units]
+density = "2000 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "0.5 GPa/m"
+[[support]]
+on = "bottom"
+fix = "all"
+[gravity]
+z = "-9.81 m/s^2"
+[settle]
+steps = 8000
+[[motion]]
+on = "top"
+velocity = [0, 0, "1 mm/s"]
+[solver]
+masses = "real"
+duration = "30 ms"
+rows = 20000
+step_fraction = 0.01
+frames = 1
+[[gauge]]
+name = "z"
+at = "top"
+direction = "z"
+{damping}
+"""
+OMEGA = float(np.sqrt(1e9 * 0.04 / (2000.0 * 0.004)))
+
+
+def decay(damping: str) -> tuple[float, dict]:
+    """Ratio of damping by the kinetic energy that is left, at the times at which the block passes its place."""
+    result = laboratory.run(load(SCENE.format(damping=damping)))
+    rows = result.history.rows
+    after = rows["step"] >= 8000
+    z, energy = rows["z"][after] - rows["z"][after][0], rows["kinetic"][after]
+    passes = np.flatnonzero(z[:-1] * z[1:] < 0.0)[:20]
+    top = [float(energy[max(p - 5, 0) : p + 6].max()) for p in passes]
+    return float(np.polyfit(np.pi * np.arange(len(top)), -0.5 * np.log(top), 1)[0]), result.summary
+
+
+@pytest.mark.parametrize(
+    ("damping", "ratio", "tolerance"),
+    [
+        ("", None, 0.0),
+        ("[damping]\n", 0.0, 1e-6),
+        ("[damping]\nlocal = 0.157\n", np.log(1.157 / 0.843) / (2.0 * np.pi), 1e-3),
+        (f'[damping]\nmass = "{0.1 * OMEGA!r} s^-1"\n', 0.05, 1e-4),
+    ],
+)
+def test_what_damps_after_the_settling_is_what_the_scene_says(damping, ratio, tolerance):
+    found, summary = decay(damping)
+    assert (summary["damping_after_settling"] is None) == (damping == "")
+    if ratio is None:
+        assert found > 0.2, "solver.damping goes on"
+    else:
+        assert found == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
