@@ -3,7 +3,7 @@
 import re
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, PlainSerializer
+from pydantic import BeforeValidator, PlainSerializer, ValidationInfo
 
 from masonry.quantity import convert
 
@@ -16,8 +16,8 @@ def in_m_s2(value: Any, name: str, allowed: str) -> float:
     return convert(f"{match[1]} g_n" if match else value, "acceleration", name, allowed)
 
 
-def _read(value: Any) -> Any:
-    return value if value is None else in_m_s2(value, "acceleration", "(0, 1e6]")
+def _read(value: Any, info: ValidationInfo) -> Any:
+    return value if value is None else in_m_s2(value, info.field_name or "this", "(0, 1e6]")
 
 
 AccelerationInG = Annotated[float, BeforeValidator(_read), PlainSerializer(lambda value: f"{value!r} m/s^2")]

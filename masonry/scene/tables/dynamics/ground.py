@@ -1,30 +1,23 @@
 """What a scene says of the ground that moves: a record or a formula, one to three components, scaled, and from when."""
 
-import re
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, PlainSerializer, create_model, model_validator
+from pydantic import Field, create_model, model_validator
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, nearest
 from masonry.ground.ground_motion import Motion, from_formula, from_samples
 from masonry.ground.record_file import RecordFile, factor_of, read_record
-from masonry.quantity import convert
 from masonry.scene.tables import expression
+from masonry.scene.tables.dynamics.acceleration_in_g import AccelerationInG
+from masonry.scene.tables.dynamics.made_record import COMPONENTS, MadeGround
 from masonry.scene.tables.gravity_and_floor import with_unit
 from masonry.scene.tables.types import Duration, Given, KeyedError, Table
 
 AXES = "xyz"
 STILL = 1e-9
 """m/s2: ground that accelerates by less does not shake."""
-_IN_G = re.compile(r"\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*g\s*", re.ASCII)
-
-
-def _peak(value: Any) -> Any:
-    """An acceleration, in which g is that of gravity."""
-    match = _IN_G.fullmatch(value) if isinstance(value, str) and len(value) < 60 else None
-    return convert(f"{match[1]} g_n" if match else value, "acceleration", "peak", "(0, 1e6]")
 
 
 if TYPE_CHECKING:
@@ -34,13 +27,15 @@ else:  # "as" is a word of Python's own
 
 
 class Ground(_HasAs):
-    """A motion that supports and floor share: columns of a `record`, or formulas of t for a `duration`.
+    """A motion that supports and floor share: columns of a `record`, records `made` by seed, or formulas of t for a
+    `duration`.
 
     as  "inertia": the frame of the ground, in which forces of inertia act; "base": supports and floor are moved
     on  selector of the support (or "floor") that moves so, where several move apart
     """
 
     record: Annotated[str, Field(min_length=1)] | None = None
+    made: MadeGround | None = None
     quantity: Literal["acceleration", "velocity", "displacement"] = "acceleration"
     unit: Annotated[str, Field(min_length=1, max_length=40)] | None = None
     time: Annotated[str, Field(min_length=1, max_length=200)] | None = None
@@ -49,7 +44,7 @@ class Ground(_HasAs):
     z: Annotated[str, Field(min_length=1)] | None = None
     duration: Duration | None = None
     scale: Annotated[float, Given("number", "[-1e6, 1e6]")] | None = None
-    peak: Annotated[float, BeforeValidator(_peak), PlainSerializer(lambda value: f"{value!r} m/s^2")] | None = None
+    peak: AccelerationInG | None = None
     begin: Annotated[float, Given("time", "[0, 1e6]"), with_unit("time")] = 0.0
     baseline: Literal["none", "linear"] = "none"
     on: Annotated[str, Field(min_length=1)] | None = None
@@ -78,18 +73,33 @@ class Ground(_HasAs):
     @model_validator(mode="after")
     def _has_one_source(self) -> "Ground":
         if not self.components:
-            raise KeyedError("x", "missing; name a column of the record or a formula of t for one or more of x, y, z")
+            raise KeyedError(
+                "x",
+                "missing; name a column of the record for x, y or z, or 'first' of [ground.made], or give a formula",
+            )
         if self.scale is not None and self.peak is not None:
             raise KeyedError("peak", "scale and peak exclude each other; keep one of them")
         if self.scale == 0.0:
             raise KeyedError("scale", "ground that is scaled by 0 does not move; leave the table out")
-        if self.record is None:
+        if self.made is not None:
+            self._made_is_whole()
+        elif self.record is None:
             self._formulas_are_whole()
         elif self.duration is not None:
             raise KeyedError("duration", "a record has its own; leave it out (solver.duration ends a run before)")
         elif self.unit is not None:
             _checked("unit", factor_of, self.unit, self.quantity, "unit")
         return self
+
+    def _made_is_whole(self) -> None:
+        for key in ("record", "duration", "unit", "time"):
+            if getattr(self, key) is not None:
+                raise KeyedError(key, "does not go with [ground.made], which says all of the record; keep one of them")
+        if self.quantity != "acceleration":
+            raise KeyedError("quantity", "records that are made by seed are accelerations; leave it out")
+        for axis, word in self.components.items():
+            if word not in COMPONENTS:
+                raise KeyedError(axis, f"'{word[:60]}' is no component of [ground.made]; {nearest(word, COMPONENTS)}")
 
     def _formulas_are_whole(self) -> None:
         for axis, text in self.components.items():
@@ -147,6 +157,9 @@ def _motions(ground: Ground, stamp: int | None) -> dict[str, Motion]:
 def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motion:
     """One component as it is given, with its baseline."""
     try:
+        if ground.made is not None:
+            made = ground.made.record(word)
+            return from_samples("acceleration", made.time, made.acceleration, ground.baseline)
         if ground.record is not None:
             file = _record(ground.record, stamp)
             values = file.samples(word, ground.quantity, ground.unit)
@@ -159,6 +172,8 @@ def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motio
     except SceneError as error:
         if str(error).startswith("unit: "):
             raise SceneError(f"ground.{error}") from None
+        if ground.made is not None:
+            raise
         raise error.within("ground.record") from None
     except ValueError as error:
         raise SceneError(f"ground.{axis}: {error}") from None
