@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.jit.compiler import inner, is_kept, jit, once
+from masonry.jit.compiler import is_kept, jit, once, part
 from masonry.jit.records import ArgumentRecord, RecordKind, call, kind_of
 from masonry.jit.workers import compile_all
 
@@ -20,7 +20,7 @@ class CompiledPart:
     """A function of one record. What it is compiled to depends on the type of the record alone."""
 
     def __init__(self, function: Callable[[Any], None]) -> None:
-        self.module, self.name, self.compiled = function.__module__, function.__name__, inner(function)
+        self.module, self.name, self.compiled = function.__module__, function.__name__, part(function)
 
     def of(self, *arguments: Any) -> "Call":
         """A call of it with these arguments; nothing is compiled yet."""

@@ -17,6 +17,7 @@ from typing import Any
 import numba
 
 from geometry.jit_cache import NOT_KEPT, CheckedCache
+from masonry.jit.linked_library import LinkedCompiler
 from masonry.jit.sources import COMPILED, source_hash
 
 KEPT = 5
@@ -117,10 +118,13 @@ jit = _kept(STEP, _nrt=False, nogil=True)
 """For what Python calls. Who holds an array is not counted (`_nrt`), which would cost a pair of boxes half as long
 again: what is compiled may read and write arrays and views of them, but not make, return or keep one. Meanwhile other
 threads of Python go on (`nogil`): they hear signals, and in a worker that its parent has died."""
-inner = _kept(STEP, _nrt=False, no_cpython_wrapper=True)
-"""For what other compiled functions alone call: a wrapper that takes dozens of arrays from Python costs more to compile
-than the function in it."""
-inlined = _kept(STEP, _nrt=False, no_cpython_wrapper=True, forceinline=True)
+part = _kept(STEP, _nrt=False, no_cpython_wrapper=True)
+"""For what is called by its address: a wrapper that takes dozens of arrays from Python costs more to compile than the
+function in it."""
+LINKED: dict[str, Any] = {"keep": False, "no_cpython_wrapper": True, "pipeline_class": LinkedCompiler}
+inner = _kept(STEP, _nrt=False, **LINKED)
+"""For what other compiled functions alone call, into which it is linked; nothing of it is kept."""
+inlined = _kept(STEP, _nrt=False, forceinline=True, **LINKED)
 """The same for what is called in one place: an array is handed over as nine numbers, which costs as much as the work
 of a small function."""
 THREADS: dict[str, Any] = {"folder": f"{STEP}/threads"} if STEP else {"folder": "", "keep": False}

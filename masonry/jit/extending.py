@@ -9,7 +9,9 @@ from typing import Any
 
 from numba import extending
 
-INNER = {"no_cfunc_wrapper": True}
+from masonry.jit.linked_library import LinkedCompiler
+
+INNER = {"no_cfunc_wrapper": True, "no_cpython_wrapper": True, "pipeline_class": LinkedCompiler}
 
 
 def overload(function: Any, **options: Any) -> Callable[[Any], Any]:

@@ -17,25 +17,27 @@ CELLS = ("law=elastic", "settle.steps=100", "drive.steps=600", "solver.rows=10",
 
 
 @pytest.mark.slow
-def test_of_two_processes_that_start_together_no_function_is_compiled_by_both(tmp_path):
-    """Neither of the step nor of the cells, which are two rounds of it."""
+def test_of_two_processes_that_start_together_no_part_is_compiled_by_both(tmp_path):
+    """Neither of the step nor of the cells, which are two rounds of it. What Python calls besides is small: each
+    compiles that for itself."""
     surroundings = os.environ | {"MASONRY_CACHE": str(tmp_path)}
     command = [sys.executable, "-c", RUN, "", *CELLS]
     both = [subprocess.Popen(command, env=surroundings, stdout=subprocess.PIPE, text=True) for _ in range(2)]
-    one, other = (set(json.loads(process.communicate(timeout=300)[0])[0]) for process in both)
-    assert "_kick" in one | other and len(one | other) > 30
-    assert not one & other
+    one, other = (set(json.loads(process.communicate(timeout=300)[0])[3]) for process in both)
+    assert "_kick" in one | other and len(one | other) > 5
+    assert not {name for name in one & other if name.startswith("_")}
 
 
 def test_what_is_compiled_for_one_processor_is_not_there_for_another():
-    """Machines that share a cache: the first one of each kind compiles, while the others wait, and says so."""
+    """Machines that share a cache: the first one of each kind compiles, while the others wait, and says so. The other
+    one here is so old that nobody compiles for it."""
     scene = load("couplet")
     here = provenance_of(to_toml(scene))[PROCESSOR]
     compile_for(assemble(scene).model, 1)
     assert json.loads(asked(os.environ)) == [True, here]
-    for features in ("", "+avx2"):
-        other = os.environ | {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": features}
-        assert json.loads(asked(other)) == [False, f"{here.split()[0]} haswell {features}".strip()]
+    for features in ("", "+sse4.1"):
+        other = os.environ | {"NUMBA_CPU_NAME": "penryn", "NUMBA_CPU_FEATURES": features}
+        assert json.loads(asked(other)) == [False, f"{here.split()[0]} penryn {features}".strip()]
 
 
 IS_IT_THERE = """
