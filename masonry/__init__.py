@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
     from masonry.limit_analysis.limit_result import LimitResult
+    from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene import Scene
 
 __version__ = "0.1.0"
@@ -134,6 +135,41 @@ def limit(
         crushing=stress("crushing", crushing),
         points=points,
         sides=whole("sides", sides, 0, 1000),
+    )
+    return analyse(_scene(scene), wishes)
+
+
+def modes(
+    scene: "Scene | str | Path",
+    count: int = 6,
+    *,
+    pressed: bool = False,
+    ratio: float = 0.05,
+    between: "tuple[int, int] | None" = None,
+) -> "ModesResult":
+    """The slowest modes of a scene: frequencies, shapes and effective masses, from the tangent stiffness of its joints.
+
+    scene    a scene, a file of one, or the name of a packaged one; its supports hold, its masses are the real ones
+    count    of modes, 1 to 200
+    pressed  True: only the joints that press under the dead loads are closed, in place of all
+    ratio    of Rayleigh damping, which has it at the modes `between`, the first and the third unless they are named
+    What comes back prints as `masonry modes` does; `.frequencies` (m,) Hz, `.effective_mass` (m, 3) kg, `.rayleigh`,
+    `.save(folder)`. Raises SceneError, in one sentence, where nothing can vibrate.
+
+    >>> arch = masonry.modes("arch", 3)
+    >>> print(" ".join(f"{frequency:.1f}" for frequency in arch.frequencies), "Hz")
+    60.8 72.7 145.9 Hz
+    >>> arch.share.shape  # (m, 3): of the mass that can move, along x, y and z
+    (3, 3)
+    """
+    from masonry.laboratory.arguments import flag, number, whole
+    from masonry.modal_analysis.vibration import MOST, ModesSettings, analyse
+
+    wishes = ModesSettings(
+        whole("count", count, 1, MOST),
+        flag("pressed", pressed),
+        number("ratio", ratio, 0.0, 1.0),
+        None if between is None else (whole("between", between[0], 1, MOST), whole("between", between[1], 1, MOST)),
     )
     return analyse(_scene(scene), wishes)
 

@@ -37,6 +37,7 @@ APART = {
     "picture": ("masonry.cli.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
     "movie": ("masonry.cli.movie_command", "make a movie of a folder of results: cracks beside the curve"),
     "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
+    "modes": ("masonry.cli.modes_command", "frequencies, shapes and effective masses of a scene"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
     "sweep": ("masonry.sweep.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
     "sensitivity": ("masonry.comparison.study_command", "run a scene in several ways: what does the answer depend on?"),

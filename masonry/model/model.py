@@ -197,7 +197,7 @@ def build(
 
 def _sides(layout: Layout, joints: Joints) -> tuple[tuple[stable_step.Side, stable_step.Side], np.ndarray]:
     """Both sides of the contacts, and the (B, 3) lengths of the blocks, m."""
-    a, b = _side(layout, joints, "a"), _side(layout, joints, "b")
+    a, b = side_of(layout, joints, "a"), side_of(layout, joints, "b")
     block, arm = np.concatenate([joints.block_a, joints.block_b]), np.concatenate([a.arm, b.arm])
     length = stable_step.lengths(layout, block, arm)
     return (replace(a, length=length[joints.block_a]), replace(b, length=length[joints.block_b])), length
@@ -314,7 +314,8 @@ def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
     return None if dofs is None else np.column_stack(np.divmod(dofs, DOFS[kind]))
 
 
-def _side(layout: Layout, joints: Joints, which: str) -> stable_step.Side:
+def side_of(layout: Layout, joints: Joints, which: str) -> stable_step.Side:
+    """One side ("a", "b") of all contacts."""
     block, node, corner, fraction = (
         getattr(joints, f"{name}_{which}") for name in ("block", "node", "corner", "share")
     )

@@ -15,12 +15,20 @@ from masonry.runtime.lock import LOCK, sole
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
 RESULT_NAMES = (
-    *("summary.json", "limit.json", "sensitivity.json", "sweep.toml", "runs", "checkpoint/HOW-TO-GO-ON.txt"),
+    *(
+        "summary.json",
+        "limit.json",
+        "modes.json",
+        "sensitivity.json",
+        "sweep.toml",
+        "runs",
+        "checkpoint/HOW-TO-GO-ON.txt",
+    ),
 )
 """A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
 WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
-    *("curve.png", "cracks.png", "mechanism.png", "thrust.png", "checkpoint"),
+    *("curve.png", "cracks.png", "mechanism.png", "thrust.png", "modes.png", "checkpoint"),
     *("sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
 }
 """What commands write into a folder of results besides."""

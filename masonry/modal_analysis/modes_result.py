@@ -1,0 +1,29 @@
+"""What an analysis of modes hands back to a user: printed, drawn, saved."""
+
+import json
+from pathlib import Path
+
+from geometry.files.atomic import WholeFiles
+from masonry.modal_analysis.mode_pictures import modes_figure
+from masonry.modal_analysis.modes_data import ModesData
+from masonry.modal_analysis.modes_text import result_text
+from masonry.pictures.style import write_png
+
+
+class ModesResult(ModesData):
+    """The modes of a scene: its numbers are those of ModesData; it prints as `masonry modes` does."""
+
+    def save(self, folder: Path | str, view: str | None = None) -> list[Path]:
+        """Write modes.json and, where there are modes, modes.png, all or none; returns their paths."""
+        folder = Path(folder)
+        with WholeFiles(folder) as files:
+            files.text("modes.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
+            if not len(self.frequencies):
+                return [folder / "modes.json"]
+            write_png(modes_figure(self, view), files.new("modes.png"))
+        return [folder / name for name in ("modes.json", "modes.png")]
+
+    def __str__(self) -> str:
+        return result_text(self)
+
+    __repr__ = __str__

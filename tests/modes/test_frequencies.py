@@ -1,0 +1,91 @@
+"""Frequencies, effective masses and shapes against closed forms; the stiffness against that of the compiled step."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.sparse import random_array
+
+import masonry
+from masonry.assembly.assemble import assemble
+from masonry.modal_analysis.eigen import slowest
+from masonry.modal_analysis.oscillator import oscillator_of
+from verification.fixtures.models import SMALL, acceleration_matrix, free, mass_vector
+from verification.fixtures.stacks import STACK, keys_of
+from verification.scene_runs import load
+
+
+@pytest.mark.parametrize("count", [1, 4])
+def test_a_stack_has_the_frequencies_of_its_transfer_matrices(count):
+    stack = replace(STACK, count=count)
+    modes = masonry.modes(load("stack", keys_of(stack)), 6 * count)
+    across = replace(stack, width=stack.depth, depth=stack.width)
+    twist = np.sqrt((stack.ks / stack.kn) * (stack.turning + across.turning) / (stack.kn * stack.area))
+    turns = stack.up_and_down() * twist / np.sqrt((stack.width**2 + stack.depth**2) / 12.0)
+    known = [*stack.up_and_down(), *turns]
+    known += [f for plane in (stack, across) for f in plane.sideways(2 * count)]
+    assert modes.frequencies == pytest.approx(np.sort(known), rel=1e-9)
+
+
+def test_a_tall_stack_is_a_timoshenko_beam():
+    stack = replace(STACK, count=60)
+    modes = masonry.modes(load("stack", keys_of(stack)), 12)
+    along = modes.frequencies[modes.share[:, 0] > 1e-3]
+    assert along[:3] == pytest.approx(stack.beam(3), rel=1e-3)
+    assert along[:3] == pytest.approx(stack.sideways(3), rel=1e-8)
+
+
+def test_all_modes_together_move_all_of_the_mass():
+    modes = masonry.modes(load("stack", keys_of(STACK)), 24)
+    assert modes.effective_mass.sum(axis=0) == pytest.approx(4 * STACK.mass * np.ones(3))
+    assert modes.mass == pytest.approx(4 * STACK.mass * np.ones(3))
+    assert np.abs(modes.corners).max(axis=(1, 2)) == pytest.approx(np.ones(24), abs=0.5)
+
+
+def test_the_stiffness_is_that_of_the_compiled_step_for_all_kinds_of_blocks():
+    scene = load("energy-of-all-kinds", {"law": "elastic", "solver.masses": "real"})
+    oscillator, model = oscillator_of(scene), assemble(scene).model
+    moves = np.flatnonzero(free(model))
+    assert mass_vector(model)[moves] == pytest.approx(oscillator.mass[moves], rel=1e-14)
+    strain = oscillator.strain_matrix[:, moves]
+    stiffness = (strain.T @ strain).toarray()
+    compiled = -acceleration_matrix(model) * oscillator.mass[moves, None]
+    assert SMALL < 1e-5 and compiled == pytest.approx(stiffness, abs=1e-9 * np.abs(stiffness).max())
+
+
+def test_rayleigh_damping_has_its_ratio_at_both_modes():
+    modes = masonry.modes(load("stack", keys_of(STACK)), 4, ratio=0.03, between=(2, 4))
+    mass, stiffness = modes.rayleigh
+    for frequency in modes.frequencies[[1, 3]]:
+        omega = 2.0 * np.pi * frequency
+        assert mass / (2.0 * omega) + stiffness * omega / 2.0 == pytest.approx(0.03)
+
+
+def test_equal_frequencies_are_all_found():
+    """Sixty equal springs, and a hundred equal softer ones: each copy counts."""
+    count = 400
+    root = np.sqrt(np.concatenate([np.full(100, 1.0), np.full(60, 2.0), np.linspace(3.0, 50.0, count - 160)]))
+    turns = np.linalg.qr(np.random.default_rng(1).standard_normal((count, count)))[0]
+    matrix = random_array((count, count), density=0.0, format="csr") + (root[:, None] * turns)
+    modes = slowest(matrix, np.ones(count), np.ones(count, dtype=bool), 12)
+    assert modes.square == pytest.approx(np.ones(12)) and len(modes.loose) == 0
+
+
+def test_parts_that_nothing_holds_are_told_and_left_out():
+    free_stack = {"support": [], "floor": {"level": "-10 m"}, "displacements": "large", "gravity": {"z": "-9.81 m/s^2"}}
+    settle = {"settle.steps": 0, "contact.default": {"normal_stiffness": "1 GPa/m", "shear_stiffness": "0.5 GPa/m"}}
+    scene = load("stack", keys_of(STACK) | free_stack | settle)
+    modes = masonry.modes(scene, 3)
+    assert modes.loose == 6 and len(modes.loose_blocks) == 5 and len(modes.frequencies) == 3
+    assert "6 motions that no joint resists" in str(modes)
+    slowest_chain = 2.0 * np.sqrt(STACK.kn * STACK.area / STACK.mass) * np.sin(np.pi / 10.0) / (2.0 * np.pi)
+    assert np.isclose(masonry.modes(scene, 24).frequencies, slowest_chain).any(), "five masses on four springs"
+
+
+def test_the_order_of_blocks_and_the_place_of_the_specimen_do_not_matter():
+    here = masonry.modes(load("stack", keys_of(STACK)), 6)
+    far = keys_of(STACK)
+    for entry in far["specimen.box"]:
+        entry["origin"] = [f"{float(x.split()[0]) + 1e4!r} m" for x in entry["origin"]]
+    far["specimen.box"] = far["specimen.box"][::-1]
+    assert masonry.modes(load("stack", far), 6).frequencies == pytest.approx(here.frequencies, rel=1e-7)

@@ -1,0 +1,113 @@
+"""Frequencies of a stack of rigid blocks on elastic joints, by transfer matrices, and of the beam it comes near to.
+
+ | b | h   each block: mass m, inertia I about its middle; each joint below it: shear
+ |---|     k = ks A, turning r = kn A b^2/12 about its middle
+ |   |
+ |---|     (Myklestad, 1944, J. Aeronaut. Sci. 11, 153-162, with shear in place of bending between masses)
+ |   |
+//////     in the limit a beam of GA = k h, EI = r h, with rotary inertia (Timoshenko, 1921)
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import expm
+from scipy.optimize import brentq
+
+Floats = np.ndarray
+
+
+@dataclass(frozen=True)
+class Stack:
+    """count blocks of width b (m) in the plane, depth and height (m), density (kg/m3), and kn, ks (Pa/m) of joints."""
+
+    count: int
+    width: float
+    depth: float
+    height: float
+    density: float
+    kn: float
+    ks: float
+
+    @property
+    def area(self) -> float:
+        return self.width * self.depth
+
+    @property
+    def mass(self) -> float:
+        return self.density * self.area * self.height
+
+    @property
+    def inertia(self) -> float:
+        return self.mass * (self.width**2 + self.height**2) / 12.0
+
+    @property
+    def shear(self) -> float:
+        return self.ks * self.area
+
+    @property
+    def turning(self) -> float:
+        return self.kn * self.area * self.width**2 / 12.0
+
+    def up_and_down(self) -> Floats:
+        """(n,) Hz, rising: a chain of n masses on n springs, w = 2 sqrt(k/m) sin((2 j - 1) pi/(4 n + 2))."""
+        j = np.arange(1, self.count + 1)
+        speed = 2.0 * np.sqrt(self.kn * self.area / self.mass)
+        return np.asarray(speed * np.sin((2 * j - 1) * np.pi / (4 * self.count + 2)) / (2.0 * np.pi))
+
+    def sideways(self, number: int) -> list[float]:
+        """Hz, the slowest modes that rock and shear in the plane."""
+        return roots(self._free_top, 0.3 * self.beam(1)[0], number)
+
+    def beam(self, number: int) -> list[float]:
+        """Hz of a Timoshenko beam from the middle of the lowest joint, which is half a block below the masses."""
+        return roots(self._free_end, 1e-3 * float(self.up_and_down()[0]), number)
+
+    def _free_top(self, omega: float) -> float:
+        """0 where no force and no moment is left above the uppermost block; state: u, turn, force, moment there."""
+        half, square = self.height / 2.0, omega**2
+        joint = np.eye(4)
+        joint[0, 2], joint[1, 3] = 1.0 / self.shear, 1.0 / self.turning
+        rise = np.eye(4)  # along half a block: u grows by the turn, the moment falls by the force
+        rise[0, 1], rise[3, 2] = half, -half
+        inert = np.eye(4)
+        inert[2, 0], inert[3, 1] = -self.mass * square, -self.inertia * square
+        one = rise @ inert @ rise @ joint
+        return _determinant(np.linalg.matrix_power(one, self.count))
+
+    def _free_end(self, omega: float) -> float:
+        """The same of the beam."""
+        line, square = self.mass / self.height, omega**2
+        shear, bending = self.shear * self.height, self.turning * self.height
+        rotary = self.inertia / self.height
+        slope = np.array(
+            [
+                [0.0, 1.0, 1.0 / shear, 0.0],
+                [0.0, 0.0, 0.0, 1.0 / bending],
+                [-line * square, 0.0, 0.0, 0.0],
+                [0.0, -rotary * square, -1.0, 0.0],
+            ]
+        )
+        below = np.eye(4)  # half of the lowest joint's compliance is beneath the masses
+        below[0, 2], below[1, 3] = self.height / 2.0 / shear, self.height / 2.0 / bending
+        return _determinant(expm(slope * self.height * self.count) @ below)
+
+
+def _determinant(transfer: Floats) -> float:
+    """Of what force and moment at the foot become at the top."""
+    return float(np.linalg.det(transfer[2:, 2:]))
+
+
+def roots(of: Callable[[float], float], start: float, number: int) -> list[float]:
+    """Hz: the first zeros of a function of the angular frequency above a start (Hz)."""
+    zeros: list[float] = []
+    low = 2.0 * np.pi * start
+    value = of(low)
+    while len(zeros) < number:
+        high = 1.01 * low
+        after = of(high)
+        if value * after < 0.0:
+            zeros.append(brentq(of, low, high, xtol=1e-12 * low, rtol=1e-14) / (2.0 * np.pi))
+        low, value = high, after
+    return zeros
