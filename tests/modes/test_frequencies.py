@@ -11,7 +11,7 @@ from masonry.assembly.assemble import assemble
 from masonry.modal_analysis.eigen import slowest
 from masonry.modal_analysis.oscillator import oscillator_of
 from verification.fixtures.models import SMALL, acceleration_matrix, free, mass_vector
-from verification.fixtures.stacks import STACK, keys_of
+from verification.references.swinging_stack import STACK, keys_of
 from verification.scene_runs import load
 
 

@@ -6,7 +6,7 @@ import masonry
 from masonry.errors import SceneError
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.modal_analysis.pressed import pressed
-from verification.fixtures.stacks import STACK, boxes, keys_of
+from verification.references.swinging_stack import STACK, boxes, keys_of
 from verification.scene_runs import load
 
 DRY = {

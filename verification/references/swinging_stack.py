@@ -10,6 +10,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import expm
@@ -111,3 +112,40 @@ def roots(of: Callable[[float], float], start: float, number: int) -> list[float
             zeros.append(brentq(of, low, high, xtol=1e-12 * low, rtol=1e-14) / (2.0 * np.pi))
         low, value = high, after
     return zeros
+
+
+STACK = Stack(count=4, width=0.5, depth=0.2, height=0.25, density=2000.0, kn=1e9, ks=0.5e9)
+"""That of the scene `stack`, but for the number of its blocks."""
+
+
+def boxes(stack: Stack) -> list[dict[str, Any]]:
+    """Entries of [[specimen.box]]: the foot, and the blocks upon it."""
+    size = stack.width, stack.depth, stack.height
+    low = [(-0.5 * stack.width, -0.5 * stack.depth, k * stack.height) for k in range(-1, stack.count)]
+    names = ["foot", *(f"block {k}" for k in range(1, stack.count + 1))]
+    return [
+        {"name": name, "origin": [f"{x!r} m" for x in corner], "size": [f"{x!r} m" for x in size], "unit": k}
+        for k, (name, corner) in enumerate(zip(names, low, strict=True))
+    ]
+
+
+def keys_of(stack: Stack) -> dict[str, Any]:
+    """What the scene `stack` needs to be this stack."""
+    return {
+        "specimen.box": boxes(stack),
+        "material.units.density": f"{stack.density!r} kg/m^3",
+        "contact.unit_unit.normal_stiffness": f"{stack.kn!r} Pa/m",
+        "contact.unit_unit.shear_stiffness": f"{stack.ks!r} Pa/m",
+    }
+
+
+def set_off(stack: Stack, speed: np.ndarray, spin: np.ndarray) -> list[dict[str, Any]]:
+    """Entries of [[motion]]: blocks that start at speeds (n,) m/s along x and spins (n,) rad/s about y."""
+    return [
+        {
+            "on": f"block {k + 1}",
+            "velocity": [f"{float(speed[k])!r} m/s", 0, 0],
+            "spin": [0, f"{float(spin[k])!r} rad/s", 0],
+        }
+        for k in range(stack.count)
+    ]

@@ -18,8 +18,7 @@ from scipy.optimize import least_squares
 
 from masonry.modal_analysis.vibration import ModesSettings, analyse
 from verification.case import Case, Findings, Line
-from verification.fixtures.stacks import STACK, keys_of, set_off
-from verification.references.swinging_stack import Stack
+from verification.references.swinging_stack import STACK, Stack, keys_of, set_off
 from verification.scene_runs import load, result_of
 
 TALL = replace(STACK, count=40)
