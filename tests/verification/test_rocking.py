@@ -1,0 +1,64 @@
+"""The independent integration of a rocking block against closed forms."""
+
+import numpy as np
+import pytest
+
+from verification.references.rocking import RockingBlock, rock
+
+SLENDER = RockingBlock(0.125, 0.5, 0.91176)
+AWAY = np.linspace(0.0, 1.0, 101), np.zeros(101)
+
+
+def test_a_block_that_is_let_go_comes_down_at_the_times_of_the_closed_form():
+    motion = rock(SLENDER, *AWAY, until=1.6, angle=0.5 * SLENDER.alpha)
+    assert motion.impacts[:3] == pytest.approx([0.34917, 0.91745, 1.39964], abs=2e-5)
+    assert SLENDER.of_housner == pytest.approx(0.91176, abs=1e-5)
+    assert not motion.overturned and motion.peak == pytest.approx(0.5 * SLENDER.alpha)
+
+
+def test_no_energy_is_lost_between_impacts_and_the_share_of_the_spin_at_each():
+    block = RockingBlock(0.125, 0.5, 0.8)
+    motion = rock(block, *AWAY, until=6.0, angle=0.5 * block.alpha)
+    tops = [np.abs(motion.angle[(motion.time >= a) & (motion.time <= b)]).max()
+            for a, b in zip(motion.impacts[:4], motion.impacts[1:5], strict=True)]  # fmt: skip
+    heights = np.cos(block.alpha - np.array([0.5 * block.alpha, *tops])) - np.cos(block.alpha)
+    assert heights[1:] / heights[:-1] == pytest.approx(0.64, rel=2e-3)
+
+
+@pytest.mark.parametrize(("q", "threshold"), [(1.0, 1.3213), (2.0, 1.8015), (3.0, 2.2974)])
+def test_a_half_sine_pulse_overturns_from_its_threshold_on(q, threshold):
+    """alpha 0.25, p 2.14; thresholds in g tan(alpha), without an impact before."""
+    block = RockingBlock(0.5 * 0.79495, 0.5 * 3.11327, 0.9)
+    assert (block.alpha, block.p) == pytest.approx((0.25, 2.14), abs=2e-4)
+    length = np.pi / (q * block.p)
+    time = np.linspace(0.0, length, 401)
+
+    def falls(size):
+        pulse = size * block.g * np.tan(block.alpha) * np.sin(np.pi * time / length)
+        return rock(block, time, pulse, until=12.0 / block.p, tolerance=1e-7).overturned
+
+    low, high = 0.98 * threshold, 1.02 * threshold
+    assert not falls(low) and falls(high)
+    for _ in range(7):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if falls(middle) else (middle, high)
+    assert high == pytest.approx(threshold, rel=5e-4)
+
+
+def test_a_block_that_is_shaken_less_than_its_slenderness_stays():
+    time = np.linspace(0.0, 2.0, 401)
+    shaking = 0.999 * 9.81 * 0.25 * np.sin(2.0 * np.pi * time)
+    motion = rock(SLENDER, time, shaking, until=3.0)
+    assert motion.peak == 0.0 and not len(motion.impacts)
+
+
+def test_a_mirrored_record_mirrors_the_motion_and_a_tighter_tolerance_changes_nothing():
+    rng = np.random.default_rng(2)
+    time = np.linspace(0.0, 3.0, 301)
+    shaking = 4.0 * np.sin(2.0 * np.pi * 1.5 * time) * np.sin(np.pi * time / 3.0) + rng.normal(size=301)
+    first, mirrored = rock(SLENDER, time, shaking, 4.0), rock(SLENDER, time, -shaking, 4.0)
+    tight = rock(SLENDER, time, shaking, 4.0, tolerance=1e-10)
+    assert len(first.impacts) > 3 and first.peak > 0.01
+    assert mirrored.angle == pytest.approx(-first.angle)
+    assert tight.impacts[:4] == pytest.approx(first.impacts[:4], abs=1e-5)
+    assert tight.peak == pytest.approx(first.peak, rel=1e-4)
