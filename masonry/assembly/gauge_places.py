@@ -27,7 +27,8 @@ def gauges_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) 
         at = _place(specimen, joints, layout, table.at, f"gauge.{k}.at")
         base = table.relative_to
         still = None if base is None else _place(specimen, joints, layout, base, f"gauge.{k}.relative_to")
-        gauges.append(gauge(table.name, layout, at, still, "xyz".index(table.direction[-1]), table.sign))
+        axis = "xyz".index(table.direction[-1])
+        gauges.append(gauge(table.name, layout, at, still, axis, table.sign, table.quantity))
     return tuple(gauges)
 
 

@@ -72,9 +72,18 @@ def program_of(scene: Scene, dt: float) -> Program:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
     if scene.solver.duration is not None:
         plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
+    if scene.samples:
+        plan = replace(plan, marks=np.zeros(0, dtype=np.int64), every=steps_between_rows(scene, plan, dt))
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
         plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
     return plan
+
+
+def steps_between_rows(scene: Scene, plan: Program, dt: float) -> int:
+    """Of rows that are equally spaced in time: as many as solver.sampling says, else solver.rows after the settling."""
+    if (sampling := scene.sampling) is not None:
+        return max(1, int(min(1.0 / (sampling * dt), 1e18)))
+    return max(1, (plan.steps - plan.settle) // scene.solver.rows)
 
 
 def in_layers(scene: Scene, plan: AnyPlan) -> AnyPlan:

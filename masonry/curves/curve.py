@@ -7,6 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
+from masonry.curves.time_curve import is_over_time, time_figure
 from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.pictures.style import heading, tidy
 from masonry.results.frame_choice import without_noise
@@ -18,11 +19,14 @@ if TYPE_CHECKING:
 
 def curve_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
-    of a drive that turns back; movements and reactions where there is none; the load factor where a gauge was led."""
+    of a drive that turns back; movements and reactions where there is none; gauges over the time; the load factor
+    where a gauge was led."""
     if result.summary.cycles:
         from masonry.curves.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
+    if len(result.history.rows.get("step", ())) and is_over_time(result):
+        return time_figure(result)
     grown = result.summary.collapse_load
     if grown is not None and grown.branch is not None and grown.branch.led:
         from masonry.curves.branch_curve import branch_figure

@@ -38,11 +38,13 @@ def curve_axes(result: "ResultData") -> CurveAxes:
         factor *= result.specimen.section
     across = str(curve.get("x", "displacement"))
     across = across if across in rows else "displacement"
-    if not rows["displacement"].any() and across == "displacement":
+    if across == "time" or (not rows["displacement"].any() and across == "displacement"):
         return CurveAxes(rows["time"], "time [s]", name, unit, factor)
     if across == TILT:
         sign, label = tilt_axis(rows)
         return CurveAxes(sign * np.degrees(rows[TILT]), label, name, unit, factor)
+    if (of_gauge := result.history.unit(across)) != "m":
+        return CurveAxes(rows[across], f"{across} [{of_gauge}]", name, unit, factor)
     return CurveAxes(rows[across] * 1e3, f"{across} [mm]", name, unit, factor)
 
 

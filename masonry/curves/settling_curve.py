@@ -10,7 +10,7 @@ from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reaction_words import reaction_lines
-from masonry.rows.columns import FACTOR, LARGE_UNITS, OFF_BALANCE, TILT, UNITS
+from masonry.rows.columns import FACTOR, TILT, gauges_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -67,13 +67,10 @@ def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], st
 
 
 def movements(result: "ResultData") -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """By name, steps and displacements (m): of each gauge at every row, or of the top at every frame, by axis."""
+    """By name, steps and displacements (m): of gauges of these at every row, or of the top at every frame, by axis."""
     rows = result.history.rows
-    gauges = {
-        name: (rows["step"], values)
-        for name, values in rows.items()
-        if name not in (*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE)
-    }
+    lengths = [name for name in gauges_of(rows) if result.history.unit(name) == "m"]
+    gauges = {name: (rows["step"], rows[name]) for name in lengths}
     frames = result.history.frames
     if gauges or not frames:
         return gauges

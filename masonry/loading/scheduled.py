@@ -34,6 +34,8 @@ class Program:
     varying (H, n + 1) share of each load that varies, at each step; None without any
     marks   steps, rising, after which a row is due besides the regular ones
     layers  (L, settle + 1) share of each load that comes on in layers, until the end of the settling; None without any
+    every   steps from one row to the next, so that rows are equally spaced in time from the end of the settling on;
+            None where their number over all steps says it
     straight   of its largest share: how far a history may leave the straight line that the loading takes for it
     kinks      steps, rising, between which loads that vary exactly straight do so
     rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
@@ -49,6 +51,7 @@ class Program:
     rest_from: int | None = None
     layers: np.ndarray | None = None
     kinks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    every: int | None = None
 
     hurries_while_elastic = False
 
@@ -83,6 +86,7 @@ class Program:
         fewest and the most, as factors."""
         fewest = self.steps if self.rest_from is None else max(self.rest_from, self.steps // SOONEST)
         share = sqrt(fewest / max(self.steps, 1))
+        rows = rows if self.every is None else self.steps // self.every
         steps, count = round(share * self.steps), round(share * min(rows, self.steps))
         chunks = max(count, steps / LONGEST_CHUNK) + len(self.kinks)
         return Expected(steps, count + len(self.marks), chunks, least=share, most=1.0 / max(share, 1e-9))
@@ -119,7 +123,7 @@ class ScheduledLoading(Loading):
             self.loads = VaryingLoads(
                 model, load_factors, program.settle if rises else 0, program.straight, program.kinks
             )
-        self.every = max(1, program.steps // rows)
+        self.every = program.every or max(1, program.steps // rows)
         self.last, self.still, self.most = program.steps, 0, 0.0
 
     def next(self) -> Chunk | None:
@@ -158,7 +162,8 @@ class ScheduledLoading(Loading):
         """The next step after which a row is due."""
         marks = self.program.marks
         k = int(np.searchsorted(marks, self.done, side="right"))
-        regular = min((self.done // self.every + 1) * self.every, self.last)
+        begin = 0 if self.program.every is None else self.program.settle
+        regular = min(begin + ((self.done - begin) // self.every + 1) * self.every, self.last)
         return min(regular, int(marks[k])) if k < len(marks) else regular
 
     def feel(self, step: int, before: list[np.ndarray]) -> None:

@@ -1,4 +1,4 @@
-"""Gauges: the displacement of a place, as a weighted sum of the dofs of the model; read when a row is taken."""
+"""Gauges: the motion of a place, as a weighted sum of the dofs of the model; read when a row is taken."""
 
 from dataclasses import dataclass
 
@@ -30,6 +30,8 @@ class Gauge:
 
     row, arm  (n,), (n, 3) m: of points of rigid blocks, the block, and the place from its centroid times its weight
     axis      along which displacements are taken
+    quantity  "displacement", "velocity" or "acceleration". Of an acceleration a row reads the displacement, from which
+              it follows once there are rows on both sides (masonry/rows/accelerations.py)
     """
 
     name: str
@@ -37,6 +39,13 @@ class Gauge:
     row: np.ndarray
     arm: np.ndarray
     axis: int
+    quantity: str = "displacement"
+
+    def look(self, model: Model, velocities: dict[str, np.ndarray]) -> float:
+        """What a row reads: m/s of a velocity, else m. velocities: (rows, dofs) by kind of motion, now."""
+        if self.quantity == "velocity":
+            return self.speed(velocities, getattr(model.bodies.rigid, "frame", None))
+        return self.read(model)
 
     def read(self, model: Model) -> float:
         """m, now."""
@@ -51,6 +60,15 @@ class Gauge:
         turned = float(np.einsum("nj,nj->", frame[self.row, self.axis] - np.eye(3)[self.axis], self.arm))
         return turned + self.along(moved | {"rigid": np.where(np.arange(6) < 3, moved["rigid"], 0.0)})
 
+    def speed(self, velocities: dict[str, np.ndarray], frame: np.ndarray | None = None) -> float:
+        """m/s, for velocities (rows, dofs) by kind of motion; frame (B, 3, 3): rotations of rigid blocks where they
+        are large, and turn about x, y, z."""
+        if frame is None or not len(self.row):
+            return self.along(velocities)
+        spin, arm = velocities["rigid"][self.row, 3:], np.einsum("nij,nj->ni", frame[self.row], self.arm)
+        turning = float(np.cross(spin, arm)[:, self.axis].sum())
+        return turning + self.along(velocities | {"rigid": np.where(np.arange(6) < 3, velocities["rigid"], 0.0)})
+
     def along(self, moved: dict[str, np.ndarray]) -> float:
         """m, for small changes of the dofs (rows, n) by kind of motion."""
         reading = 0.0
@@ -59,8 +77,16 @@ class Gauge:
         return reading
 
 
-def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis: int, sign: float) -> Gauge:
-    """The displacement of `at` along an axis times `sign`, less that of `relative_to`."""
+def gauge(
+    name: str,
+    layout: Layout,
+    at: Place,
+    relative_to: Place | None,
+    axis: int,
+    sign: float,
+    quantity: str = "displacement",
+) -> Gauge:
+    """The displacement, velocity or acceleration of `at` along an axis times `sign`, less that of `relative_to`."""
     parts = [(at, sign), *([(relative_to, -sign)] if relative_to is not None else [])]
     terms = {}
     for kind in KINDS:
@@ -71,7 +97,7 @@ def gauge(name: str, layout: Layout, at: Place, relative_to: Place | None, axis:
             terms[kind] = row.astype(np.int64), column.astype(np.int64), weight
     arms = [_arms(layout, "rigid", place, factor) for place, factor in parts]
     block, arm, fraction = (np.concatenate([entry[k] for entry in arms]) for k in range(3))
-    return Gauge(name, terms, layout.local[block], fraction[:, None] * arm, axis)
+    return Gauge(name, terms, layout.local[block], fraction[:, None] * arm, axis, quantity)
 
 
 def _arms(layout: Layout, kind: str, place: Place, factor: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

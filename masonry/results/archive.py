@@ -44,7 +44,7 @@ def write(path: Path, result: "ResultData") -> None:
         file.create_dataset("log", data=np.array(result.log, dtype=object), dtype=h5py.string_dtype())
         rows = file.create_group("rows")
         for name, values in result.history.rows.items():
-            rows.create_dataset(name, data=values).attrs["unit"] = unit_of(name)
+            rows.create_dataset(name, data=values).attrs["unit"] = result.history.unit(name)
         _write_frames(file.create_group("frames"), result.history.frames)
         specimen = file.create_group("specimen")
         specimen.attrs["section"] = result.specimen.section
@@ -77,7 +77,11 @@ def read(path: Path) -> dict[str, Any]:
         specimen = file["specimen"]
         sets = sorted(specimen["sets"].items(), key=lambda item: int(item[0]))
         parts = {
-            "history": History({name: data[()] for name, data in file["rows"].items()}, _read_frames(file["frames"])),
+            "history": History(
+                {name: data[()] for name, data in file["rows"].items()},
+                _read_frames(file["frames"]),
+                _units(file["rows"]),
+            ),
             "specimen": Specimen(
                 blocks=_read_arrays(specimen["blocks"], Blocks),
                 sets={str(data.attrs["name"]): data[()] for _, data in sets},
@@ -94,6 +98,12 @@ def read(path: Path) -> dict[str, Any]:
         }
     require_whole_result(**parts)
     return parts
+
+
+def _units(rows: Any) -> dict[str, str]:
+    """Of columns that have another one than their name says."""
+    units = {name: str(data.attrs.get("unit", unit_of(name))) for name, data in rows.items()}
+    return {name: unit for name, unit in units.items() if unit != unit_of(name)}
 
 
 def _joint_properties(joints: Any) -> dict[str, np.ndarray]:

@@ -107,7 +107,7 @@ class ResultData:
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas; without pandas a SceneError, and `history.rows` has the same columns.
         """
-        return table_of(self.history.rows)
+        return table_of(self.history)
 
     @property
     def peak(self) -> Peak:
@@ -158,4 +158,4 @@ class ResultData:
         if len(frames) < len(self.history.frames):
             log.append(f"{len(self.history.frames) - len(frames)} frames with values that are not finite were dropped")
         summary = Summary.read({key: without_nan(value, key, log) for key, value in self.summary.items()})
-        return replace(self, summary=summary, history=History(rows, frames), log=log)
+        return replace(self, summary=summary, history=replace(self.history, rows=rows, frames=frames), log=log)

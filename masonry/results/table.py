@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from masonry.errors import SceneError, extra
-from masonry.rows.columns import UNITS, unit_of
+from masonry.rows.columns import UNITS
+from masonry.rows.history import History
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -17,16 +18,16 @@ def column_names(rows: dict[str, np.ndarray]) -> list[str]:
     return [name for name in (*first, *(name for name in UNITS if name not in first)) if name in rows]
 
 
-def csv_text(rows: dict[str, np.ndarray]) -> str:
+def csv_text(history: History) -> str:
     """The rows as CSV in SI units, displacement, stress and gauges first, floats to full precision."""
-    names = column_names(rows)
-    lines = [",".join(f"{name} [{unit_of(name)}]" for name in names)]
+    rows, names = history.rows, column_names(history.rows)
+    lines = [",".join(f"{name} [{history.unit(name)}]" for name in names)]
     columns = [np.asarray(rows[name]).tolist() for name in names]
     lines += [",".join(map(repr, values)) for values in zip(*columns, strict=True)]
     return "\n".join(lines) + "\n"
 
 
-def table_of(rows: dict[str, np.ndarray]) -> "DataFrame":
+def table_of(history: History) -> "DataFrame":
     """A table of pandas, units of its columns in `attrs["units"]`. Raises SceneError where there is no pandas."""
     try:
         import pandas
@@ -34,7 +35,7 @@ def table_of(rows: dict[str, np.ndarray]) -> "DataFrame":
         raise SceneError(
             f"result.curve needs pandas; {extra('notebook')}; result.history.rows has the same columns as arrays"
         ) from None
-    columns = {name: np.array(rows[name]) for name in column_names(rows)}
+    columns = {name: np.array(history.rows[name]) for name in column_names(history.rows)}
     frame = pandas.DataFrame(columns)
-    frame.attrs["units"] = {name: unit_of(name) for name in columns}
+    frame.attrs["units"] = {name: history.unit(name) for name in columns}
     return frame

@@ -1,5 +1,7 @@
 """The columns of a curve and of the energy ledger, with the unit of each."""
 
+from collections.abc import Iterable
+
 UNITS = {
     "step": "1",
     "time": "s",
@@ -36,8 +38,18 @@ FACTOR = "load_factor"
 OFF_BALANCE = "out_of_balance"
 """The column (1) of one that leads a gauge on behind the collapse: by how much the factor exceeds equilibrium, on
 average since the row before, over the collapse factor; 0 at the rests before."""
+GRAVITY = 9.80665
+"""m/s2, by which accelerations are told as shares of g."""
+RATES = {"velocity": "m/s", "acceleration": "m/s2"}
+"""Units of gauges that read no displacement, by what they read."""
 DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 """What cracks and slip dissipate."""
+
+
+def gauges_of(columns: Iterable[str]) -> list[str]:
+    """Those of some columns that are gauges."""
+    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE}
+    return [column for column in columns if column not in others]
 
 
 def unit_of(column: str) -> str:

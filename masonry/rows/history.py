@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from masonry.rows.columns import unit_of
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -40,7 +42,15 @@ class Frame:
 
 @dataclass
 class History:
-    """Rows (one array per key of `masonry.rows.columns.UNITS` and per gauge) and frames of a run, oldest first."""
+    """Rows (one array per key of `masonry.rows.columns.UNITS` and per gauge) and frames of a run, oldest first.
+
+    units  of columns that have another one than their name says: gauges of velocities and accelerations
+    """
 
     rows: dict[str, np.ndarray] = field(default_factory=dict)
     frames: list[Frame] = field(default_factory=list)
+    units: dict[str, str] = field(default_factory=dict)
+
+    def unit(self, column: str) -> str:
+        """Of a column of the rows."""
+        return self.units.get(column) or unit_of(column)

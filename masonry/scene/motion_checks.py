@@ -123,6 +123,15 @@ def _real_time(scene: Any) -> None:
                 raise KeyedError(key, real)
         if scene.settle is not None and scene.settle.steps == 0:
             raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
+        if scene.solver.sampling is not None:
+            raise KeyedError("solver.sampling", real)
+        for k, gauge in enumerate(scene.gauge):
+            if gauge.quantity != "displacement":
+                raise KeyedError(f"gauge.{k}.quantity", f"'{gauge.quantity}' {real}")
+        if scene.curve is not None and scene.curve.x == "time":
+            raise KeyedError("curve.x", f"'time' {real}")
+    if scene.solver.sampling is not None and "rows" in scene.solver.model_fields_set:
+        raise KeyedError("solver.sampling", "rows and sampling exclude each other; keep one of them")
     varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
     timed = scene.drive is not None or bool(scene.ground) or varies
     if scene.motion and not timed and scene.solver.duration is None:

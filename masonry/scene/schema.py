@@ -162,6 +162,16 @@ class SceneData(Table):
         return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.reversals) > 1)
 
     @property
+    def sampling(self) -> float | None:
+        """Rows a second, equally spaced in time; None where their number is given."""
+        return self.solver.sampling
+
+    @property
+    def samples(self) -> bool:
+        """Whether rows must be equally spaced in time from the end of the settling on."""
+        return self.sampling is not None or any(gauge.quantity != "displacement" for gauge in self.gauge)
+
+    @property
     def loops_over(self) -> str | None:
         """The gauge over which loops of a load that goes to and fro are drawn: that of the curve, else the first."""
         if self.limit is None or self.limit.history is None:
@@ -181,6 +191,8 @@ class SceneData(Table):
         for key in LIMITS:
             if self.is_large or key not in self.solver.model_fields_set:
                 del data["solver"][key]
+        if self.samples and "rows" not in self.solver.model_fields_set:
+            del data["solver"]["rows"]
         if not self.is_large:
             del data["displacements"]
         return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}
@@ -227,10 +239,17 @@ class SceneData(Table):
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
         tilts = self.gravity is not None and self.gravity.tilt is not None
-        across = ["displacement", *([TILT] if tilts else []), *names[len(UNITS) + 3 :]]
+        gauges = names[len(UNITS) + 3 :]
+        across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
         if self.curve is not None and self.curve.x not in across:
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
-        led, gauges = None if self.limit is None else self.limit.control, [gauge.name for gauge in self.gauge]
+        for name in () if self.curve is None else self.curve.gauges:
+            if name not in gauges:
+                allowed = ", ".join(["stress", "force", *gauges])
+                raise KeyedError("curve.y", f"'{name[:60]}' is no gauge; allowed: {allowed}")
+            if self.curve is not None and self.curve.x != "time":
+                raise KeyedError("curve.y", "a gauge is drawn over the time only: give curve.x = 'time'")
+        led = None if self.limit is None else self.limit.control
         if led is not None and led not in gauges:
             there = nearest(led, gauges) if gauges else "there is none: give the scene a table [[gauge]]"
             raise KeyedError("limit.control", f"'{led[:60]}' is no gauge; {there}")

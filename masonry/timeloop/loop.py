@@ -9,6 +9,7 @@ import numpy as np
 from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
+from masonry.configuration.parts.parts import parts_of
 from masonry.configuration.setting_off import damp, set_off
 from masonry.errors import TurnedTooFar
 from masonry.loading.loading import Loading
@@ -18,7 +19,8 @@ from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
-from masonry.rows.columns import FACTOR, UNITS
+from masonry.rows.accelerations import accelerations
+from masonry.rows.columns import FACTOR, RATES, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
 from masonry.runtime.processors import Seconds
@@ -198,7 +200,7 @@ class Loop:
             **self.drive(step, load_factors),
             **terms,
             **self.loading.columns(),
-            **{gauge.name: gauge.read(model) for gauge in self.recording.gauges},
+            **self.readings(before),
         }
         append(self.rows, row)
         append(self.observed, observed)
@@ -217,6 +219,15 @@ class Loop:
                 self.near_peak.append((row["stress"], frame, standing))
         if higher:
             self.keep_peak(row["stress"])
+
+    def readings(self, before: list[np.ndarray]) -> dict[str, float]:
+        """By gauge: what it reads. Velocities now are the mean of those half a step before and after."""
+        model, gauges = self.model, self.recording.gauges
+        velocities = {}
+        if any(gauge.quantity == "velocity" for gauge in gauges):
+            parts = zip(parts_of(model), before, strict=True)
+            velocities = {part.name: 0.5 * (part.velocities(old) + part.body.v) for part, old in parts}
+        return {gauge.name: gauge.look(model, velocities) for gauge in gauges}
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive
@@ -238,7 +249,15 @@ class Loop:
 
     def finish(self) -> None:
         """Columns from rows; the frame at the peak among the others, oldest first."""
-        self.outcome.history.rows = {key: np.array(values, dtype=float) for key, values in self.rows.items()}
+        history = self.outcome.history
+        history.rows = {key: np.array(values, dtype=float) for key, values in self.rows.items()}
+        history.units = {
+            gauge.name: RATES[gauge.quantity] for gauge in self.recording.gauges if gauge.quantity in RATES
+        }
+        for gauge in self.recording.gauges:
+            if gauge.quantity == "acceleration":
+                time, moved = history.rows["time"], history.rows[gauge.name]
+                history.rows[gauge.name] = accelerations(time, moved, self.settle * self.model.dt)
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         for observer in self.observers.values():
             self.outcome.found |= observer.found()

@@ -62,7 +62,7 @@ def test_a_place_where_there_is_nothing_is_told_with_where_the_specimen_is():
 def test_two_gauges_of_one_name_and_a_curve_over_no_gauge_are_refused():
     with pytest.raises(SceneError, match=r"gauge.1.name: 'slip' is a column"):
         load("couplet", {"gauge": [GAUGE, GAUGE]})
-    with pytest.raises(SceneError, match=r"curve.x: 'slop' is no gauge; allowed: displacement, slip"):
+    with pytest.raises(SceneError, match=r"curve.x: 'slop' is no gauge; allowed: displacement, time, slip"):
         load("couplet", {"gauge": [GAUGE], "curve": {"x": "slop"}})
 
 
@@ -74,7 +74,7 @@ def test_readings_are_columns_with_a_unit_in_every_file_and_the_curve_is_drawn_o
     with h5py.File(tmp_path / "history.h5") as file:
         assert (file["rows/slip"].attrs["unit"], file["rows/force"].attrs["unit"]) == ("m", "N")
     again = load_result(tmp_path)
-    assert csv_text(again.history.rows) == csv_text(result.history.rows)
+    assert csv_text(again.history) == csv_text(result.history)
     axes = curve_axes(again)
     assert (axes.label, axes.name, axes.unit) == ("slip [mm]", "force", "kN")
     assert np.array_equal(axes.across, 1e3 * result.history.rows["slip"])

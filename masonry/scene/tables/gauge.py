@@ -52,12 +52,17 @@ def _write(value: str | Coordinates) -> Any:
 Where = Annotated[str | Coordinates, PlainValidator(_read), PlainSerializer(_write)]
 
 
+Quantity = Literal["displacement", "velocity", "acceleration"]
+
+
 class GaugeTable(Table):
-    """The displacement of a place in one direction, less that of another place: a column of the results."""
+    """The displacement of a place in one direction, its velocity or its acceleration, less that of another place: a
+    column of the results."""
 
     name: Annotated[str, AfterValidator(_named)]
     at: Where
     direction: Direction
+    quantity: Quantity = "displacement"
     relative_to: Where | None = None
 
     @property
@@ -65,8 +70,24 @@ class GaugeTable(Table):
         return -1.0 if self.direction[0] == "-" else 1.0
 
 
+def _several(value: Any) -> Any:
+    """One name, or a list of them."""
+    if isinstance(value, (list, tuple)) and value and all(isinstance(name, str) for name in value):
+        return tuple(value)
+    if isinstance(value, str):
+        return value
+    raise ValueError(f"must be 'stress', 'force', a gauge's name or a list of them; not {value!r:.60}")
+
+
 class Curve(Table):
-    """What curve.png draws: a gauge or the displacement of the drive across, stress or force up."""
+    """What curve.png draws: a gauge, the displacement of the drive or the time across; stress or force, or over the
+    time one gauge or several, up."""
 
     x: str = "displacement"
-    y: Literal["stress", "force"] = "stress"
+    y: Annotated[str | tuple[str, ...], PlainValidator(_several)] = "stress"
+
+    @property
+    def gauges(self) -> tuple[str, ...]:
+        """The gauges that it draws upwards; none where that is the stress or the force."""
+        names = (self.y,) if isinstance(self.y, str) else self.y
+        return () if names in (("stress",), ("force",)) else names

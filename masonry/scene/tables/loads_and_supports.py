@@ -15,6 +15,7 @@ from masonry.scene.tables.types import (
     Duration,
     Fraction,
     Frames,
+    Frequency,
     Given,
     KeyedError,
     Length,
@@ -210,6 +211,7 @@ class Solver(Table):
     until: Literal["rest"] | None = None
     skin: Skin | None = None
     rows: Rows = 1000
+    sampling: Frequency | None = None
     frames: Frames = 24
 
     @model_validator(mode="before")

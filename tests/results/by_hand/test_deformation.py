@@ -9,6 +9,7 @@ from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.fields import BlockGrid
 from masonry.results.joint_fields import JointGrid, mode_of
 from masonry.results.table import column_names, csv_text
+from masonry.rows.history import History
 from tests.results.sample import joints_of, opened, wall
 
 GRADIENT = np.array([[1e-3, -4e-3, 2e-3], [3e-3, 5e-4, -1e-3], [-2e-3, 6e-3, -7e-4]])
@@ -88,6 +89,6 @@ def test_a_table_has_displacement_stress_and_gauges_first_with_their_units_and_a
     rows = {"step": np.array([1.0, 2.0]), "stress": np.array([0.1, 1 / 3]), "sag": np.array([1e-9, 2.0])}
     rows |= {"displacement": np.array([0.0, 1e-3]), "kinetic": np.array([0.0, 5e-324])}
     assert column_names(rows) == ["displacement", "stress", "sag", "step", "kinetic"]
-    lines = csv_text(rows).splitlines()
+    lines = csv_text(History(rows)).splitlines()
     assert lines[0] == "displacement [m],stress [Pa],sag [m],step [1],kinetic [J]"
     assert [float(value) for value in lines[2].split(",")] == [1e-3, 1 / 3, 2.0, 2.0, 5e-324]

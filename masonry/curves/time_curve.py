@@ -1,0 +1,97 @@
+"""curve.png of a motion in time: gauges over it, those of one quantity in one panel, and the energy ledger."""
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from masonry.curves.fall_mark import mark_fall
+from masonry.curves.ledger import draw_ledger
+from masonry.curves.settling_curve import COLOURS, movements
+from masonry.pictures.style import heading, plain, tidy
+from masonry.rows.columns import GRAVITY, gauges_of
+
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+SHOWN = {
+    "m": ("displacement [mm]", 1e3),
+    "m/s": ("velocity [m/s]", 1.0),
+    "m/s2": ("acceleration [g]", 1.0 / GRAVITY),
+}
+"""By unit of a gauge: the label of its panel, and the factor from SI to what that says."""
+
+
+class TimeLine(NamedTuple):
+    """One line: its name, the steps (n,) at which it is known, and values (n,) in SI; the unit of its panel."""
+
+    name: str
+    steps: np.ndarray
+    values: np.ndarray
+    unit: str
+
+
+def is_over_time(result: "ResultData") -> bool:
+    """Whether a result is drawn over the time: the scene says so, or it has gauges of velocities or accelerations."""
+    table = result.scene_table
+    curve = table.get("curve", {})
+    told = isinstance(curve, dict) and curve.get("x") == "time" and (not result.has_drive or bool(drawn_gauges(result)))
+    return told or (not result.has_drive and bool(result.history.units))
+
+
+def drawn_gauges(result: "ResultData") -> tuple[str, ...]:
+    """The gauges that the scene's curve names upwards, of those that there are."""
+    curve = result.scene_table.get("curve", {})
+    up = curve.get("y", ()) if isinstance(curve, dict) else ()
+    names = (up,) if isinstance(up, str) else tuple(up)
+    return tuple(name for name in names if name in gauges_of(result.history.rows))
+
+
+def time_lines(result: "ResultData") -> list[TimeLine]:
+    """What is drawn: gauges that the scene's curve names, else all; the top of the specimen where there are none."""
+    history = result.history
+    named = drawn_gauges(result) or gauges_of(history.rows)
+    if named:
+        return [TimeLine(name, history.rows["step"], history.rows[name], history.unit(name)) for name in named]
+    return [TimeLine(name, steps, path, "m") for name, (steps, path) in movements(result).items()]
+
+
+def since(result: "ResultData", steps: np.ndarray) -> np.ndarray:
+    """(n,) s at steps (n,), from the end of the settling on."""
+    rows, settle = result.history.rows, result.scene_table.get("settle", {})
+    settled = settle.get("steps", 0) if isinstance(settle, dict) else 0
+    return np.asarray(np.interp(steps, rows["step"], rows["time"]) - settled * (result.summary.time_step_s or 0.0))
+
+
+def time_label(result: "ResultData") -> str:
+    """Of the axis of `since`."""
+    return "time after the settling [s]" if result.scene_table.get("settle") else "time [s]"
+
+
+def time_figure(result: "ResultData") -> Any:
+    """A figure of 1200 pixels in width at 120 dpi, over the time: a panel for each quantity, the energy ledger."""
+    from masonry.pictures.figure import ShownFigure
+
+    lines = time_lines(result)
+    units = [unit for unit in SHOWN if any(line.unit == unit for line in lines)]
+    figure = ShownFigure(figsize=(10, 3.0 + 2.5 * len(units)), layout="constrained")
+    *panels, ledger = np.atleast_1d(figure.subplots(len(units) + 1, 1, sharex=True))
+    heading(figure, result)
+    for axes in (*panels, ledger):
+        tidy(axes)
+    for axes, unit in zip(panels, units, strict=True):
+        label, factor = SHOWN[unit]
+        own = [line for line in lines if line.unit == unit]
+        for line, colour in zip(own, len(own) * COLOURS, strict=False):
+            axes.plot(
+                since(result, line.steps), factor * line.values, color=colour, linewidth=1.2, label=plain(line.name)
+            )
+        axes.set_ylabel(label)
+    mark_fall([*panels, ledger], result, lambda steps: since(result, steps))
+    rows = result.history.rows
+    draw_ledger(ledger, rows, since(result, rows["step"]))
+    ledger.set_ylabel("energy [J]")
+    ledger.set_xlabel(time_label(result))
+    ledger.set_xlim(0.0, float(since(result, rows["step"][-1:])[0]) or None)
+    for axes in (*panels, ledger):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    return figure
