@@ -19,7 +19,7 @@ from masonry.assembly.growing_loads import let_grow
 from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
 from masonry.assembly.scattered_laws import Drawn, draw, laws_of
-from masonry.assembly.schedule import plan_of
+from masonry.assembly.schedule import plan_of, uniform_ground
 from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
 from masonry.configuration.setting_off import begin
@@ -79,6 +79,7 @@ def assemble(scene: Scene) -> Assembly:
         first = plan.factors_at(np.zeros(1))
         begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
     recording = _recording(scene, specimen, gauges_of(scene, specimen, joints, layout), Surroundings(conditions))
+    recording = replace(recording, ground=uniform_ground(scene, built.dt))
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
 
 

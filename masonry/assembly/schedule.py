@@ -16,6 +16,7 @@ from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.load_history import Timed
 from masonry.scene.tables.loads_and_supports import Drive
+from masonry.timeloop.gauge_columns import UniformGround
 
 AnyPlan = TypeVar("AnyPlan", bound=Program | PacedPlan)
 
@@ -77,6 +78,14 @@ def program_of(scene: Scene, dt: float) -> Program:
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
         plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
     return plan
+
+
+def uniform_ground(scene: Scene, dt: float) -> UniformGround | None:
+    """The motion that all supports share, in time as `with_ground` has it; None without one."""
+    ground = scene.ground[0] if len(scene.ground) == 1 else None
+    if ground is None or ground.on is not None:
+        return None
+    return UniformGround(ground.motions, ground.begin + 0.5 * dt, ground.moves_supports)
 
 
 def steps_between_rows(scene: Scene, plan: Program, dt: float) -> int:

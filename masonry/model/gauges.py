@@ -32,6 +32,7 @@ class Gauge:
     axis      along which displacements are taken
     quantity  "displacement", "velocity" or "acceleration". Of an acceleration a row reads the displacement, from which
               it follows once there are rows on both sides (masonry/rows/accelerations.py)
+    sign, is_relative  of the direction along the axis; whether the motion of another place is taken off
     """
 
     name: str
@@ -40,6 +41,8 @@ class Gauge:
     arm: np.ndarray
     axis: int
     quantity: str = "displacement"
+    sign: float = 1.0
+    is_relative: bool = False
 
     def look(self, model: Model, velocities: dict[str, np.ndarray]) -> float:
         """What a row reads: m/s of a velocity, else m. velocities: (rows, dofs) by kind of motion, now."""
@@ -97,7 +100,8 @@ def gauge(
             terms[kind] = row.astype(np.int64), column.astype(np.int64), weight
     arms = [_arms(layout, "rigid", place, factor) for place, factor in parts]
     block, arm, fraction = (np.concatenate([entry[k] for entry in arms]) for k in range(3))
-    return Gauge(name, terms, layout.local[block], fraction[:, None] * arm, axis, quantity)
+    row, arm = layout.local[block], fraction[:, None] * arm
+    return Gauge(name, terms, row, arm, axis, quantity, sign, relative_to is not None)
 
 
 def _arms(layout: Layout, kind: str, place: Place, factor: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

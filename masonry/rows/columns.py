@@ -38,6 +38,8 @@ FACTOR = "load_factor"
 OFF_BALANCE = "out_of_balance"
 """The column (1) of one that leads a gauge on behind the collapse: by how much the factor exceeds equilibrium, on
 average since the row before, over the collapse factor; 0 at the rests before."""
+GROUND = {axis: f"ground_{axis}" for axis in "xyz"}
+"""By axis: the column (m/s2) of the acceleration of the ground, where it moves."""
 GRAVITY = 9.80665
 """m/s2, by which accelerations are told as shares of g."""
 RATES = {"velocity": "m/s", "acceleration": "m/s2"}
@@ -48,11 +50,13 @@ DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE}
+    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, *GROUND.values()}
     return [column for column in columns if column not in others]
 
 
 def unit_of(column: str) -> str:
-    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt, the load factor and how far it
-    is from equilibrium."""
+    """Of a column of a history; all that are not in UNITS are gauges, but for the tilt, the ground, the load factor and
+    how far it is from equilibrium."""
+    if column in GROUND.values():
+        return "m/s2"
     return {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, WrapSerializer, model_validator
 
 from masonry.errors import did_you_mean, nearest
-from masonry.rows.columns import FACTOR, OFF_BALANCE, TILT, UNITS
+from masonry.rows.columns import FACTOR, GROUND, OFF_BALANCE, TILT, UNITS, gauges_of
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
@@ -21,6 +21,8 @@ from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen import Specimen
 from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table
 
+SAMPLING = 200.0
+"""Rows a second of a scene whose ground moves: gauges of accelerations are good up to a fifth of it."""
 INVENTED = "a placeholder that the import made up: put in your own"
 """What `masonry import` notes in [assumptions] of a key that the file does not hold."""
 
@@ -163,13 +165,20 @@ class SceneData(Table):
 
     @property
     def sampling(self) -> float | None:
-        """Rows a second, equally spaced in time; None where their number is given."""
-        return self.solver.sampling
+        """Rows a second, equally spaced in time; None where their number is given. Where the ground moves that is the
+        rate of its record, SAMPLING at least, unless the scene says something else."""
+        if self.solver.sampling is not None or not self.ground or "rows" in self.solver.model_fields_set:
+            return self.solver.sampling
+        return max(SAMPLING, *(ground.rate for ground in self.ground))
 
     @property
     def samples(self) -> bool:
         """Whether rows must be equally spaced in time from the end of the settling on."""
-        return self.sampling is not None or any(gauge.quantity != "displacement" for gauge in self.gauge)
+        return (
+            self.solver.sampling is not None
+            or bool(self.ground)
+            or any(gauge.quantity != "displacement" for gauge in self.gauge)
+        )
 
     @property
     def loops_over(self) -> str | None:
@@ -233,13 +242,13 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, TILT, FACTOR, OFF_BALANCE]
+        names = [*UNITS, TILT, FACTOR, OFF_BALANCE, *GROUND.values()]
         for k, gauge in enumerate(self.gauge):
             if gauge.name in names:
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
         tilts = self.gravity is not None and self.gravity.tilt is not None
-        gauges = names[len(UNITS) + 3 :]
+        gauges = gauges_of(names)
         across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
         if self.curve is not None and self.curve.x not in across:
             raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")

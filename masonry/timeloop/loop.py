@@ -19,14 +19,14 @@ from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
-from masonry.rows.accelerations import accelerations
-from masonry.rows.columns import FACTOR, RATES, UNITS
+from masonry.rows.columns import FACTOR, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
 from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
+from masonry.timeloop.gauge_columns import finish_columns
 from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
 
@@ -251,13 +251,8 @@ class Loop:
         """Columns from rows; the frame at the peak among the others, oldest first."""
         history = self.outcome.history
         history.rows = {key: np.array(values, dtype=float) for key, values in self.rows.items()}
-        history.units = {
-            gauge.name: RATES[gauge.quantity] for gauge in self.recording.gauges if gauge.quantity in RATES
-        }
-        for gauge in self.recording.gauges:
-            if gauge.quantity == "acceleration":
-                time, moved = history.rows["time"], history.rows[gauge.name]
-                history.rows[gauge.name] = accelerations(time, moved, self.settle * self.model.dt)
+        recording, settled = self.recording, self.settle * self.model.dt
+        history.units = finish_columns(history.rows, recording.gauges, recording.ground, settled)
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         for observer in self.observers.values():
             self.outcome.found |= observer.found()

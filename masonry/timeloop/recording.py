@@ -13,6 +13,7 @@ from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse
 from masonry.runtime.processors import Seconds
+from masonry.timeloop.gauge_columns import UniformGround
 
 
 @dataclass
@@ -52,7 +53,8 @@ class Outcome:
 class Recording:
     """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
     how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, what acts
-    from outside, and the axis (0, 1, 2) of the drive, None without one."""
+    from outside, the axis (0, 1, 2) of the drive, None without one, and the motion that all supports share, None
+    without."""
 
     section: float
     sign: float = 1.0
@@ -64,3 +66,4 @@ class Recording:
     sets: Mapping[str, np.ndarray] = field(default_factory=dict)
     surroundings: Surroundings = field(default_factory=Surroundings)
     axis: int | None = None
+    ground: UniformGround | None = None

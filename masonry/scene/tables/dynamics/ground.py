@@ -4,6 +4,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+import numpy as np
 from pydantic import Field, create_model, model_validator
 
 from masonry.errors import SceneError, nearest
@@ -64,6 +65,13 @@ class Ground(_HasAs):
         """The motion along each axis, with its baseline and to scale; time 0 is where it begins. Raises SceneError."""
         stamp = None if self.record is None else _stamp(self.record)
         return _motions(self, stamp)
+
+    @property
+    def rate(self) -> float:
+        """Hz, samples a second of a record; 0 of formulas, which have none."""
+        if self.record is None:
+            return 0.0
+        return float(max(1.0 / np.median(np.diff(motion.time)) for motion in self.motions.values()))
 
     @property
     def runs_for(self) -> float:
