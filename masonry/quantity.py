@@ -30,7 +30,6 @@ KINDS = {
     "frequency": Kind("a frequency", "Hz", "2 Hz"),
     "rate": Kind("a rate", "s^-1", "0.5 s^-1"),
     "angle": Kind("an angle", "rad", "45 deg"),
-    "frequency": Kind("a frequency", "Hz", "200 Hz"),
     "velocity": Kind("a velocity", "m/s", "0.1 mm/s"),
     "angular velocity": Kind("an angular velocity", "rad/s", "2 rad/s"),
     "acceleration": Kind("an acceleration", "m/s^2", "-9.81 m/s^2"),

@@ -78,7 +78,7 @@ def test_the_floor_moves_as_the_ground_and_the_stone_slides_with_no_more_than_fr
     assert np.all(rows["displacement floor"] == 0.0)
     stone = rows["acceleration stone"]
     assert np.abs(stone).max() < 1.05 * 0.2 * G
-    slides = (time > 0.18) & (time < 0.8)
+    slides = (time > 0.18) & (time < 0.7)
     assert np.allclose(stone[slides], -0.2 * G, rtol=2e-3)
 
 

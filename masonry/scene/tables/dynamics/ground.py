@@ -69,7 +69,7 @@ class Ground(_HasAs):
     @property
     def rate(self) -> float:
         """Hz, samples a second of a record; 0 of formulas, which have none."""
-        if self.record is None:
+        if self.record is None and self.made is None:
             return 0.0
         return float(max(1.0 / np.median(np.diff(motion.time)) for motion in self.motions.values()))
 
