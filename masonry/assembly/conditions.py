@@ -28,6 +28,7 @@ def conditions_of(
     """Supports, drive and dead loads on the dofs."""
     conditions = loads.no_conditions(layout)
     _add_supports(scene, specimen, joints, layout, conditions)
+    _move_supports(scene, conditions)
     if scene.drive is not None:
         _add_drive(scene.drive, specimen, joints, layout, conditions)
     for k, traction in enumerate(scene.traction):
@@ -63,6 +64,26 @@ def _add_supports(
         conditions.held_by[hold.name] = held_dofs(specimen.blocks, layout, hold)
         _add(conditions.supported, conditions.held_by[hold.name])
     _add(conditions.prescribed, conditions.supported)
+
+
+def _move_supports(scene: Scene, conditions: loads.Conditions) -> None:
+    """Which dofs of supports and floor move with the ground, and with which of its components."""
+    moved: dict[str, list[np.ndarray]] = {kind: [] for kind in KINDS}
+    taken = {kind: np.zeros_like(mask) for kind, mask in conditions.prescribed.items()}
+    selectors = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    for ground in scene.moved_grounds:
+        own = [masks for name, masks in conditions.held_by.items() if ground.on in (None, selectors.get(name, name))]
+        for axis in ground.components:
+            for kind in KINDS:
+                dofs = np.zeros_like(taken[kind])
+                for masks in own:
+                    dofs[:, AXES[axis]] |= masks[kind][:, AXES[axis]]
+                if (dofs & taken[kind]).any():
+                    raise SceneError(f"ground.on = '{ground.on}': another ground moves some of what this support holds")
+                taken[kind] |= dofs
+                moved[kind].append(np.column_stack([*np.nonzero(dofs), np.full(dofs.sum(), conditions.components)]))
+            conditions.components += 1
+    conditions.moved = {kind: rows for kind, each in moved.items() if each and len(rows := np.concatenate(each))}
 
 
 def _add_drive(drive: Drive, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:

@@ -71,7 +71,7 @@ def program_of(scene: Scene, dt: float) -> Program:
         plan = replace(plan, rest_from=plan.steps)
     if (scene.motion or scene.swings) and plan.settle:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
-    if scene.solver.duration is not None:
+    if scene.solver.duration is not None and not scene.ground:
         plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
     if scene.samples:
         plan = replace(plan, marks=np.zeros(0, dtype=np.int64), every=steps_between_rows(scene, plan, dt))
@@ -123,12 +123,13 @@ def with_ground(scene: Scene, plan: Program, dt: float) -> Program:
     """
     if not scene.ground:
         return plan
-    lasts = max(_steps_in(ground.runs_for, dt) + 1 for ground in scene.ground)
-    if scene.solver.duration is not None:
-        lasts = min(lasts, _steps_in(scene.solver.duration, dt))
-    plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "ground")
+    if scene.solver.duration is None:
+        lasts = max(_steps_in(ground.runs_for, dt) + 1 for ground in scene.ground)
+        plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "ground")
+    else:
+        plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
     if scene.shaken is None:
-        return plan
+        return replace(plan, base=_velocities_of_base(scene, plan, dt))
     factors, kinks = [], [plan.kinks]
     for motion in scene.shaken.motions.values():
         factor, knots = motion.over_steps(-scene.shaken.begin - 0.5 * dt, dt, plan.steps - plan.settle)
@@ -136,6 +137,15 @@ def with_ground(scene: Scene, plan: Program, dt: float) -> Program:
         kinks.append(plan.settle + knots)
     varying = np.array(factors) if plan.varying is None else np.concatenate([plan.varying, factors])
     return replace(plan, varying=varying, kinks=np.unique(np.concatenate(kinks)))
+
+
+def _velocities_of_base(scene: Scene, plan: Program, dt: float) -> np.ndarray:
+    """(n + 1, C) m/s of each component, in the middle of the step that follows."""
+    since = dt * np.arange(plan.steps - plan.settle + 1)
+    moving = [
+        motion.velocity_at(since - ground.begin) for ground in scene.moved_grounds for motion in ground.motions.values()
+    ]
+    return np.pad(np.column_stack(moving), ((plan.settle, 0), (0, 0)))
 
 
 def _going_on(plan: Program, steps: int, dt: float, key: str = "solver.duration") -> Program:

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from masonry.kernels.shaking import MovedSupports
+
 
 @dataclass(frozen=True)
 class Chunk:
@@ -11,13 +13,21 @@ class Chunk:
 
     row    whether a row of the history is due after it
     place  m, signed: where the drive is after it, if that is known better than the sum of the speeds
+    base   (n + 1, C) m/s, velocities of supports that move, each component, before and after each step; None without
     """
 
     dead_load: np.ndarray
     speed: np.ndarray
     row: bool
     place: float | None = None
+    base: np.ndarray | None = None
 
     @property
     def steps(self) -> int:
         return len(self.speed) - 1
+
+
+def begin_at(supports: MovedSupports | None, chunk: Chunk, step: int) -> None:
+    """Hand supports that move the velocities of a chunk, of which a step is next."""
+    if supports is not None and chunk.base is not None:
+        supports.begin(chunk.base, step)

@@ -5,7 +5,7 @@ from math import sqrt
 
 import numpy as np
 
-from masonry.configuration.chunk import Chunk
+from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
     look_at_contacts,
     pairs_of_contacts,
@@ -19,6 +19,7 @@ from masonry.configuration.written import written_arrays, written_in_large
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
+from masonry.kernels.shaking import shaking
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA, BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
@@ -49,6 +50,7 @@ class LargeDisplacement:
         while done < steps or steps == 0:
             made_of = model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies, large.near
             self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+            begin_at(model.moved_supports, chunk, first + done)
             done += self.stepper.take(first + done, steps - done, chunk.dead_load, chunk.speed, drive_force[done:])
             if done == steps:
                 return
@@ -57,10 +59,11 @@ class LargeDisplacement:
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, large = self.model, self.parts
         groups, contacts, bodies, drives = model.step_arguments()
-        return step(
+        calls = step(
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
             *(large.near, large.members, shared),
         )
+        return calls.followed_by(shaking(model.moved_supports, bodies))
 
     def after_row(self) -> None:
         retire(self.model, self.parts)

@@ -5,7 +5,7 @@ from math import inf
 
 import numpy as np
 
-from masonry.configuration.chunk import Chunk
+from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
     look_at_contacts,
     pairs_of_contacts,
@@ -15,6 +15,7 @@ from masonry.configuration.contacts import (
 from masonry.configuration.written import written_arrays
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
+from masonry.kernels.shaking import shaking
 from masonry.kernels.step import step
 from masonry.model.model import Model
 
@@ -35,11 +36,13 @@ class SmallDisplacement:
         model = self.model
         made_of = threads, model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies
         self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+        begin_at(model.moved_supports, chunk, first)
         self.stepper.take(first, steps, chunk.dead_load, chunk.speed, drive_force)
 
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
-        return step(parallel, model.dt, model.damping, *model.step_arguments(), shared)
+        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared)
+        return calls.followed_by(shaking(model.moved_supports, model.bodies))
 
     def after_row(self) -> None:
         pass

@@ -7,6 +7,7 @@ a law, a kind of bodies or an observer serves every scene that has it.
 import hashlib
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -96,6 +97,11 @@ class StepCalls:
     def __init__(self, *sections: Sequence[Call]) -> None:
         self.calls = [call for section in sections for call in section]
         self.bounds = np.cumsum([0, *map(len, sections)])
+
+    def followed_by(self, calls: Sequence[Call]) -> "StepCalls":
+        """With more calls at the end of the last section."""
+        *sections, last = (self.calls[a:b] for a, b in pairwise(self.bounds))
+        return StepCalls(*sections, [*last, *calls]) if calls else self
 
     @property
     def is_compiled(self) -> bool:

@@ -37,6 +37,7 @@ class Program:
     every   steps from one row to the next, so that rows are equally spaced in time from the end of the settling on;
             None where their number over all steps says it
     straight   of its largest share: how far a history may leave the straight line that the loading takes for it
+    base       (n + 1, C) m/s, velocities of supports that move, after each step; None without any
     kinks      steps, rising, between which loads that vary exactly straight do so
     rest_from  step from which on the run may end as soon as all is at rest; None where it goes on to the last step
     """
@@ -52,6 +53,7 @@ class Program:
     layers: np.ndarray | None = None
     kinks: np.ndarray = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     every: int | None = None
+    base: np.ndarray | None = None
 
     hurries_while_elastic = False
 
@@ -139,7 +141,8 @@ class ScheduledLoading(Loading):
         dead_load = self.program.dead_load[part]
         if self.loads is not None:
             dead_load = self.loads.apply(first, self.done, dead_load)
-        return self.going_on(Chunk(dead_load, self.program.speed[part], self.done == due))
+        base = None if self.program.base is None else self.program.base[part]
+        return self.going_on(Chunk(dead_load, self.program.speed[part], self.done == due, base=base))
 
     def latest(self) -> int:
         """The step at which the next chunk ends at the latest."""

@@ -31,6 +31,7 @@ class Conditions:
 
     motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
+    moved   per kind, (K, 3) row and number of the dofs that the ground moves, and which of its components does
     """
 
     prescribed: dict[str, np.ndarray]
@@ -43,6 +44,8 @@ class Conditions:
     each_load: dict[str, Load] = field(default_factory=dict)
     motion: dict[str, np.ndarray] | None = None
     spin: np.ndarray | None = None
+    moved: dict[str, np.ndarray] = field(default_factory=dict)
+    components: int = 0
 
 
 def no_conditions(layout: Layout) -> Conditions:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from masonry.kernels.shaking import ROOM, MovedSupports
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
@@ -98,6 +99,7 @@ class Model:
     large: Large | None = None
     motion: dict[str, np.ndarray] | None = None
     phases: Phases | None = None
+    moved_supports: MovedSupports | None = None
     parts: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
@@ -191,6 +193,7 @@ def build(
         scaled=stepping.masses == "scaled",
         motion=conditions.motion,
         phases=_phases(stepping, dt),
+        moved_supports=_moved_supports(conditions),
     )
     return model if meetings is None else enlarged(model, meetings, masses)
 
@@ -312,6 +315,14 @@ def idle_where_dry(groups: Groups) -> Groups:
 def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
     """(K, 2) of flat indices of dofs."""
     return None if dofs is None else np.column_stack(np.divmod(dofs, DOFS[kind]))
+
+
+def _moved_supports(conditions: Conditions) -> MovedSupports | None:
+    """Supports that move with the ground; None where none do."""
+    if not conditions.components:
+        return None
+    dofs = tuple(conditions.moved.get(kind) for kind in KINDS)
+    return MovedSupports(dofs, np.zeros((ROOM, conditions.components)), np.zeros(1, dtype=np.int64))
 
 
 def side_of(layout: Layout, joints: Joints, which: str) -> stable_step.Side:

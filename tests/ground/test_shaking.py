@@ -1,0 +1,144 @@
+"""Blocks on ground that moves: forces of inertia and a base that moves are one motion."""
+
+import numpy as np
+import pytest
+
+import masonry
+from masonry.assembly.assemble import assemble
+from masonry.scene import load
+
+SCENE = """
+law = "{law}"
+displacements = "{displacements}"
+kinematics = {{default = "{kinematics}", base = "rigid"}}
+[specimen]
+kind = "boxes"
+section = "1 m^2"
+mesh = "fan"
+[[specimen.box]]
+name = "base"
+group = "base"
+origin = ["{x} m", "-1 m", "-0.5 m"]
+size = ["3 m", "2 m", "0.5 m"]
+[[specimen.box]]
+name = "block"
+origin = ["{inner} m", "-0.25 m", "0 m"]
+size = ["1 m", "0.5 m", "0.2 m"]
+[material.units]
+density = "2000 kg/m^3"
+young_modulus = "1 GPa"
+poisson_ratio = 0.2
+[material.base]
+density = "2000 kg/m^3"
+[contact.base_units]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "1 GPa/m"
+{joint}
+[[support]]
+on = "base"
+fix = "all"
+[gravity]
+z = "-9.81 m/s^2"
+[settle]
+steps = 3000
+[ground]
+x = "0.5 g * sin(2 pi t / 0.2 s)"
+y = "0.1 g * sin(2 pi t / 0.1 s)"
+duration = "0.2 s"
+[solver]
+damping = 0
+[[gauge]]
+name = "u"
+at = "block"
+direction = "x"
+relative_to = "base"
+[[gauge]]
+name = "v"
+at = "block"
+direction = "y"
+relative_to = "base"
+"""
+DRY, GLUED = "tan_friction_angle = 0.2", "tensile_strength = '5 MPa'\ncohesion = '5 MPa'\ntan_friction_angle = 0.5"
+
+
+def scene(tmp_path, displacements="small", kinematics="rigid", law="friction", x=-1, **keys):
+    joint = DRY if law == "friction" else GLUED
+    text = SCENE.format(displacements=displacements, kinematics=kinematics, law=law, joint=joint, x=x, inner=x + 1)
+    (tmp_path / "shaken.toml").write_text(text)
+    return load(tmp_path / "shaken.toml", keys)
+
+
+def curves(result):
+    return np.array([result.curve["u"], result.curve["v"]])
+
+
+@pytest.mark.parametrize(
+    ("displacements", "kinematics", "law", "x"),
+    [
+        ("small", "rigid", "friction", -1),
+        ("small", "affine", "elastic", -1),
+        ("large", "rigid", "friction", -1),
+        ("large", "rigid", "friction", 10_000),
+    ],
+)
+def test_a_base_that_moves_and_forces_of_inertia_are_the_same_relative_motion(
+    tmp_path, displacements, kinematics, law, x
+):
+    shaken = scene(tmp_path, displacements, kinematics, law, x)
+    inertia, base = (masonry.run(shaken.with_({"ground.as": word})) for word in ("inertia", "base"))
+    away = np.abs(curves(inertia) - curves(base)).max()
+    limit = 1e-6 if displacements == "large" else 1e-8  # faces that slide and turn are looked at at other steps
+    assert away < limit * np.abs(curves(inertia)).max()
+    for result in (inertia, base):
+        work = np.abs(result.curve["external_work"]).max()
+        assert np.abs(result.curve["imbalance"]).max() < 1e-11 * work
+
+
+def test_the_force_of_inertia_is_the_mean_acceleration_over_each_step(tmp_path):
+    assembly = assemble(scene(tmp_path))
+    plan, dt = assembly.plan, assembly.model.dt
+    loading = plan.loading(assembly.model, 100)
+    mass = 2000 * 0.1
+    forces = []
+    while (chunk := loading.next()) is not None:
+        body = assembly.model.bodies.rigid
+        share = np.maximum(chunk.dead_load - 1.0, 0.0)[:, None]
+        forces.append((body.load[1, :2] + share * body.change[1, :2])[1:])
+    force = np.concatenate(forces)[plan.settle :]
+    for axis, motion in enumerate(assembly.scene.shaken.motions.values()):
+        gained = np.diff(motion.velocity_at(dt * np.arange(plan.steps - plan.settle + 1)))
+        assert force[:, axis] == pytest.approx(-mass * gained / dt, abs=1e-9 * mass)
+
+
+def test_ground_begins_when_it_is_told_to_and_rests_afterwards(tmp_path):
+    later = scene(tmp_path, **{"ground.begin": "0.1 s", "solver.duration": "0.5 s"})
+    result = masonry.run(later)
+    time = np.array(result.curve["time"]) - 3000 * assemble(later).model.dt
+    slip = np.array(result.curve["u"])
+    assert np.abs(slip[time < 0.1]).max() < 1e-9 and time[-1] == pytest.approx(0.5, abs=1e-3)
+    assert np.ptp(slip[time > 0.45]) < 1e-2 * np.abs(slip[-1])
+
+
+def test_a_base_follows_its_record_and_its_work_is_in_the_ledger(tmp_path):
+    result = masonry.run(scene(tmp_path, "small", "affine", "elastic", **{"ground.as": "base"}))
+    terms = {name: float(result.curve[name].iloc[-1]) for name in ("external_work", "kinetic", "elastic_contacts")}
+    assert abs(terms["external_work"]) > 0.0 and abs(result.curve["imbalance"].iloc[-1]) < 1e-12
+
+
+def test_supports_that_move_apart_stretch_what_stands_between_them(tmp_path):
+    """A bar between two plates: one rests, the other goes away by 0.1 mm, and the bar is pulled."""
+    box = '[[specimen.box]]\nname = "{0}"\ngroup = "{0}s"\norigin = ["{1} m", "0 m", "0 m"]\n'
+    box += 'size = ["1 m", "1 m", "1 m"]\n'
+    text = 'law = "elastic"\n[specimen]\nkind = "boxes"\nsection = "1 m^2"\n'
+    text += "".join(box.format(name, k) for k, name in enumerate(("near", "bar", "far")))
+    text += "".join(f'[material.{name}s]\ndensity = "2000 kg/m^3"\n' for name in ("near", "bar", "far"))
+    stiff = '[contact.{}]\nnormal_stiffness = "1 GPa/m"\nshear_stiffness = "1 GPa/m"\n'
+    text += stiff.format("bars_nears") + stiff.format("bars_fars")
+    text += "".join(f'[[support]]\non = "{name}"\nfix = "all"\n' for name in ("near", "far"))
+    text += '[[ground]]\non = "far"\nas = "base"\nquantity = "displacement"\n'
+    text += 'x = "0.05 mm * (1 - cos(2 pi t / 1 s))"\nduration = "0.5 s"\n'
+    text += "".join(f'[[gauge]]\nname = "{name}"\nat = "{name}"\ndirection = "x"\n' for name in ("bar", "far"))
+    (tmp_path / "apart.toml").write_text(text + "[solver]\ndamping = 0.5\n")
+    result = masonry.run(load(tmp_path / "apart.toml"))
+    assert float(result.curve["far"].iloc[-1]) == pytest.approx(1e-4, rel=1e-4)
+    assert float(result.curve["bar"].iloc[-1]) == pytest.approx(5e-5, rel=1e-3)
