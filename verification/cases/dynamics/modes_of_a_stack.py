@@ -32,7 +32,7 @@ def along(stack: Stack, count: int) -> tuple[np.ndarray, np.ndarray]:
     return modes.frequencies[modes.share[:, 0] > 1e-6], modes.frequencies[modes.share[:, 2] > 1e-6]
 
 
-class Swing(NamedTuple):
+class FreeSwing(NamedTuple):
     """Hz of a mode, of the leapfrog for it, and of a run that starts in it; its time (s), how far the top moves (m)."""
 
     mode: float
@@ -47,7 +47,7 @@ class Swing(NamedTuple):
         return self.leapfrog / self.mode - 1.0
 
 
-def swing(findings: Findings, number: int) -> Swing:
+def swing(findings: Findings, number: int) -> FreeSwing:
     """A run that starts in a mode that moves along x."""
     modes = analyse(load("stack", keys_of(STACK)), ModesSettings(24))
     which = np.flatnonzero(modes.share[:, 0] > 1e-6)[number]
@@ -70,7 +70,7 @@ def swing(findings: Findings, number: int) -> Swing:
     fit = least_squares(gap, [1.0, 1.001, 0.0], xtol=1e-14, ftol=1e-14, gtol=1e-14)
     half = 0.5 * float(result.summary["time_step_s"])
     leapfrog = float(np.arcsin(2.0 * np.pi * frequency * half) / (2.0 * np.pi * half))
-    return Swing(frequency, leapfrog, float(fit.x[1]) * frequency, time, moved)
+    return FreeSwing(frequency, leapfrog, float(fit.x[1]) * frequency, time, moved)
 
 
 def run() -> Findings:
