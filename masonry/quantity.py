@@ -33,6 +33,7 @@ KINDS = {
     "velocity": Kind("a velocity", "m/s", "0.1 mm/s"),
     "angular velocity": Kind("an angular velocity", "rad/s", "2 rad/s"),
     "acceleration": Kind("an acceleration", "m/s^2", "-9.81 m/s^2"),
+    "mass": Kind("a mass", "kg", "200 kg"),
     "density": Kind("a density", "kg/m^3", "1900 kg/m^3"),
     "force": Kind("a force", "N", "10 kN"),
     "stress": Kind("a stress", "Pa", "0.5 MPa"),

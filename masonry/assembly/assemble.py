@@ -18,6 +18,7 @@ from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.growing_loads import let_grow
 from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
+from masonry.assembly.masses import density_of
 from masonry.assembly.scattered_laws import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of, uniform_ground
 from masonry.assembly.size_limits import require_sane_size
@@ -68,12 +69,13 @@ def assemble(scene: Scene) -> Assembly:
     names, group, joints = model.sort_by_group(blocks, joints)
     materials = {g: material_of(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, {g: scene.kinematics_of(g) for g in blocks.groups}, mesh)
-    conditions = _all_conditions(scene, specimen, joints, layout, materials)
+    density = density_of(scene, specimen, joints, materials)
+    conditions = _all_conditions(scene, specimen, joints, layout, density)
     drawn = _draws(scene, blocks, joints, names, group)
     laws = _laws(scene, names, drawn, compressions)
     meetings = None if pairs is None else meetings_of(pairs, scene)
     stepping = _stepping(scene, mesh, meetings)
-    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings)
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings, density)
     plan = plan_of(scene, built.dt)
     if plan.moves_at_once:
         first = plan.factors_at(np.zeros(1))
@@ -84,18 +86,18 @@ def assemble(scene: Scene) -> Assembly:
 
 
 def _all_conditions(
-    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material]
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, density: np.ndarray
 ) -> Conditions:
     """Supports and loads, the one that grows among them. Raises SceneError where something stands on nothing."""
-    conditions = conditions_of(scene, specimen, layout, joints, materials)
+    conditions = conditions_of(scene, specimen, layout, joints, density)
     if scene.grows:
-        let_grow(scene, specimen, joints, layout, materials, conditions)
+        let_grow(scene, specimen, joints, layout, density, conditions)
     if scene.must_stand:
         require_held(specimen, joints, layout, conditions, loaded=bool(scene.traction) or scene.gravity is not None)
         for varying in conditions.varying:
             require_held(specimen, joints, layout, replace(conditions, load=varying), loaded=True)
     if scene.comes_in_layers:
-        lay_in_layers(scene, specimen.blocks, layout, materials, conditions)
+        lay_in_layers(scene, specimen.blocks, layout, density, conditions)
     return conditions
 
 

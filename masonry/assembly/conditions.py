@@ -4,14 +4,14 @@ import re
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError, Joints, Specimen
+from geometry.blocks import GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
 from masonry.assembly.fill import weight_of_fill
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.kinds import KIND
-from masonry.model.layout import DOFS, KINDS, Layout, Material
+from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.start_velocities import velocities_of
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
@@ -23,9 +23,9 @@ PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 
 
 def conditions_of(
-    scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
+    scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, density: np.ndarray
 ) -> loads.Conditions:
-    """Supports, drive and dead loads on the dofs."""
+    """Supports, drive and dead loads on the dofs; density (B,) kg/m3 of the blocks (masses.density_of)."""
     conditions = loads.no_conditions(layout)
     _add_supports(scene, specimen, joints, layout, conditions)
     _move_supports(scene, conditions)
@@ -39,8 +39,8 @@ def conditions_of(
         load: loads.Load = dict.fromkeys(KINDS)
         loads.add_traction(specimen.blocks, layout, load, loads.Push(faces, np.array(traction.stress)))
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
-    _add_weight(scene, specimen, layout, conditions, materials)
-    _add_inertia(scene, specimen, layout, conditions, materials)
+    _add_weight(scene, specimen, layout, conditions, density)
+    _add_inertia(scene, specimen, layout, conditions, density)
     for k, fill in enumerate(scene.fill):
         chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
         load = weight_of_fill(fill, f"fill.{k}", specimen, joints, layout, chosen, -gravity.z if gravity else 0.0)
@@ -99,34 +99,35 @@ def _add_drive(drive: Drive, specimen: Specimen, joints: Joints, layout: Layout,
 
 
 def _add_weight(
-    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, materials: dict[str, Material]
+    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, density: np.ndarray
 ) -> None:
     """The weight of the blocks, in parts where gravity varies or turns."""
     if scene.gravity is None:
         return
-    density = _density_that_weighs(scene, specimen, materials)
+    density = _density_that_weighs(scene, specimen, density)
     for name, (acceleration, path) in scene.gravity.parts.items():
         weight: loads.Load = dict.fromkeys(KINDS)
         loads.add_gravity(layout, weight, density, acceleration)
         _add_load(layout, conditions, name, weight, varies=path is not None)
 
 
-def _density_that_weighs(scene: Scene, specimen: Specimen, materials: dict[str, Material]) -> np.ndarray:
+def _density_that_weighs(scene: Scene, specimen: Specimen, density: np.ndarray) -> np.ndarray:
     """(B,) kg/m3; a floor is where a specimen falls, and weighs nothing: its reaction is what it bears."""
-    density = density_of(specimen.blocks, materials)
-    if scene.floor is not None:
-        density[specimen.sets[FLOOR]] = 0.0
+    if scene.floor is None:
+        return density
+    density = density.copy()
+    density[specimen.sets[FLOOR]] = 0.0
     return density
 
 
 def _add_inertia(
-    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, materials: dict[str, Material]
+    scene: Scene, specimen: Specimen, layout: Layout, conditions: loads.Conditions, density: np.ndarray
 ) -> None:
     """In the frame of the ground, forces of inertia along each axis on which it moves: their factors are its
     accelerations (m/s2)."""
     if scene.shaken is None:
         return
-    density = _density_that_weighs(scene, specimen, materials)
+    density = _density_that_weighs(scene, specimen, density)
     for axis in scene.shaken.components:
         inertia: loads.Load = dict.fromkeys(KINDS)
         loads.add_gravity(layout, inertia, density, -np.eye(3)[AXES[axis]])
@@ -140,11 +141,6 @@ def _add_load(layout: Layout, conditions: loads.Conditions, name: str, load: loa
         conditions.varying.append(load)
     else:
         loads.add_load(layout, conditions.load, load)
-
-
-def density_of(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
-    """(B,) kg/m3."""
-    return np.array([materials[group].density for group in blocks.groups])[blocks.group]
 
 
 def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:

@@ -5,9 +5,9 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.intersect import holds
-from masonry.assembly.conditions import density_of, select
+from masonry.assembly.conditions import select
 from masonry.errors import SceneError
-from masonry.model.layout import KINDS, Layout, Material
+from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions, Load, Push, add_force, add_gravity, add_traction
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
@@ -17,10 +17,10 @@ EDGE = 1e-6
 
 
 def let_grow(
-    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, materials: dict[str, Material], into: Conditions
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, density: np.ndarray, into: Conditions
 ) -> None:
     """Add the load of [limit] to those that vary: one, or for a tilt two, see loading/collapse/factor_path.py."""
-    limit, density = scene.limit, density_of(specimen.blocks, materials)
+    limit = scene.limit
     assert limit is not None
     gravity = gravity_of(scene)
     loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}

@@ -3,19 +3,16 @@
 import numpy as np
 
 from geometry.blocks import Blocks
-from masonry.assembly.conditions import density_of
-from masonry.model.layout import KINDS, Layout, Material
+from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions, add_gravity
 from masonry.scene import Scene
 
 
-def lay_in_layers(
-    scene: Scene, blocks: Blocks, layout: Layout, materials: dict[str, Material], into: Conditions
-) -> None:
+def lay_in_layers(scene: Scene, blocks: Blocks, layout: Layout, density: np.ndarray, into: Conditions) -> None:
     """Make the dead loads vary, in the order of assembly.schedule.in_layers: the weight of each layer from below, then
     each traction that stays; before the loads that vary anyway."""
     assert scene.gravity is not None
-    gravity, density = np.array(scene.gravity.vector), density_of(blocks, materials)
+    gravity = np.array(scene.gravity.vector)
     layer = layer_of(blocks, layout, into, gravity, scene.gravity.layers)
     weights = {}
     for k in range(scene.gravity.layers):

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from masonry.assembly.assemble import Assembly, assemble
+from masonry.assembly.assemble import Assembly, assemble, material_of
+from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
 from masonry.laboratory.cost import candidates, forecast
@@ -91,6 +92,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
         log=[
             *(f"cells: {cells_text(c)}" for c in assembly.specimen.cells),
             *(f"scatter: {line}" for line in scatter_lines(assembly)),
+            *(f"mass: {line}" for line in added_masses(assembly)),
             *unit_weights(assembly.scene),
             *left_out(assembly),
             *outcome.log,
@@ -117,6 +119,7 @@ def check(scene: Scene) -> "Report":
         time_step_s=model.dt,
         limited_by=model.limited_by,
         quality=quality_lines(assembly),
+        masses=added_masses(assembly),
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),
         steps=run.steps[0],
@@ -127,6 +130,13 @@ def check(scene: Scene) -> "Report":
         compiled=compiled(assembly),
         warnings=remarks_of_check(assembly),
     )
+
+
+def added_masses(assembly: Assembly) -> list[str]:
+    """A line for each mass that is added to blocks."""
+    scene, specimen = assembly.scene, assembly.specimen
+    materials = {group: material_of(scene, group) for group in specimen.blocks.groups}
+    return added_mass_lines(scene, specimen, assembly.joints, materials)
 
 
 def settling_text(assembly: Assembly) -> str:

@@ -43,6 +43,7 @@ class Report(Record):
     time_step_s: float
     limited_by: str
     quality: dict[str, str]
+    masses: list[str]
     settling: str
     meeting: str
     steps: int
@@ -78,6 +79,7 @@ def check_rows(report: Report) -> Rows:
         ("degrees of freedom", [f"{report.freedoms}"]),
         ("time step", [f"{report.time_step_s:.4g} s, limited by {report.limited_by}"]),
         *((word, [sentence]) for word, sentence in report.quality.items()),
+        *([("masses", report.masses)] if report.masses else []),
         *([("settling", [report.settling])] if report.settling else []),
         *([("may meet", [report.meeting])] if report.meeting else []),
         ("steps", [_steps_text(report)]),

@@ -6,8 +6,9 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import material_of, require_groups
-from masonry.assembly.conditions import conditions_of, density_of
+from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of, growing_load
+from masonry.assembly.masses import density_of
 from masonry.errors import SceneError
 from masonry.model.layout import Layout, lay_out
 from masonry.model.loads import Conditions
@@ -49,8 +50,8 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     layout = lay_out(specimen.blocks, dict.fromkeys(groups, "rigid"), None)
     materials = {g: material_of(scene, g) for g in groups}
     rigid = scene.model_copy(update={"motion": (), "kinematics": {"default": "rigid"}})
-    conditions = conditions_of(rigid, specimen, layout, joints, materials)
-    density, gravity = density_of(specimen.blocks, materials), gravity_of(scene)
+    density, gravity = density_of(scene, specimen, joints, materials), gravity_of(scene)
+    conditions = conditions_of(rigid, specimen, layout, joints, density)
     mass = density * layout.volume
     varying = _varying(scene)
     load = None if dead_alone else _growing(scene, varying)

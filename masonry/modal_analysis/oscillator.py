@@ -13,8 +13,9 @@ import scipy.sparse as sparse
 
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import joined, material_of, meshed, require_contact_groups, require_groups
-from masonry.assembly.conditions import conditions_of, density_of
+from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of
+from masonry.assembly.masses import density_of
 from masonry.laws import factory
 from masonry.laws.state import JointProperties
 from masonry.model.kinds import KIND
@@ -162,10 +163,10 @@ def oscillator_of(scene: Scene) -> Oscillator:
     names, group, joints = sort_by_group(blocks, joints)
     materials = {name: material_of(scene, name) for name in blocks.groups}
     layout = lay_out(blocks, {name: scene.kinematics_of(name) for name in blocks.groups}, mesh)
-    conditions = conditions_of(scene.model_copy(update={"motion": ()}), specimen, layout, joints, materials)
+    density = density_of(scene, specimen, joints, materials)
+    conditions = conditions_of(scene.model_copy(update={"motion": ()}), specimen, layout, joints, density)
     properties = tuple(factory.made(name, scene.contact_of(name).properties(scene.turns_back))[1] for name in names)
     stiffness = np.array([(joint.normal_stiffness, joint.shear_stiffness) for joint in properties]).reshape(-1, 2)
-    density = density_of(blocks, materials)
     lame = np.array([materials[name].lame() if scene.deforms(name) else (0.0, 0.0) for name in blocks.groups])
     return Oscillator(
         scene=scene,

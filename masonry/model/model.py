@@ -149,15 +149,19 @@ def build(
     conditions: Conditions,
     layout: Layout,
     meetings: Meetings | None = None,
+    density: np.ndarray | None = None,
 ) -> Model:
     """Arrays of a model. `joints` sorted by group (sort_by_group); laws: group -> (parameters, JointProperties).
 
     meetings  how blocks meet in large displacement; None in small
+    density   (B,) kg/m3; None: that of the materials
     """
     names, group = contact_groups(blocks, joints)
     sides, length = _sides(layout, joints)
     stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
-    real = real_masses(layout, np.array([materials[g].density for g in blocks.groups])[blocks.group])
+    if density is None:
+        density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
+    real = real_masses(layout, density)
     sums = _row_sums(blocks, joints, layout, sides, length, stiffness, meetings)
     if meetings is not None:
         stepping, sums = _bounded(blocks, layout, length, sums, real, stepping, meetings)

@@ -32,6 +32,7 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("confinement", [_words(tables["confinement"])] if scene.confinement is not None else []),
         ("traction", [_words(traction) for traction in tables.get("traction", ())]),
         ("fill", [_words(fill) for fill in tables.get("fill", ())]),
+        ("masses", [_words(mass) for mass in tables.get("mass", ())]),
         ("gravity", [_words(tables["gravity"])] if scene.gravity is not None else []),
         ("motion", [_words(motion) for motion in tables.get("motion", ())]),
         ("floor", [_words(tables.get("floor", {})) or "below"] if scene.floor is not None else []),

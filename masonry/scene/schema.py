@@ -9,6 +9,7 @@ from masonry.errors import did_you_mean, nearest
 from masonry.rows.columns import FACTOR, GROUND, OFF_BALANCE, TILT, UNITS, gauges_of
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
+from masonry.scene.tables.dynamics.added_mass import AddedMass
 from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
 from masonry.scene.tables.dynamics.swing import DampingTable
 from masonry.scene.tables.gauge import Curve, GaugeTable
@@ -51,6 +52,7 @@ class SceneData(Table):
     drive: Drive | None = None
     traction: tuple[Traction, ...] = ()
     fill: tuple[Fill, ...] = ()
+    mass: tuple[AddedMass, ...] = ()
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None

@@ -56,7 +56,8 @@ def test_the_example_of_every_kind_is_of_that_kind(kind):
     [
         ("150 MPa", "stiffness", ["MPa is a stress", "a stress per length", "'150 GPa/m'"]),
         ("5 m", "stress", ["m is a length", "'0.5 MPa'"]),
-        ("5 kg", "length", ["kg does not fit", "'200 mm'"]),
+        ("5 kg", "length", ["kg is a mass", "'200 mm'"]),
+        ("5 kg^2", "length", ["kg^2 does not fit", "'200 mm'"]),
         ("150e9", "stiffness", ["no unit", "'150 GPa/m'"]),
         (150e9, "stiffness", ["no unit", "'150 GPa/m'"]),
         ("0.5 Mpa", "stress", ["no known unit", "did you mean 'MPa'"]),

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.conditions import conditions_of
+from masonry.assembly.masses import density_of
 from masonry.model import model
 from masonry.model.layout import DOFS, KINDS, Layout, Material
 from masonry.model.loads import Conditions
@@ -23,7 +24,8 @@ def rebuilt(assembly: Assembly, change: Callable[[Conditions, Layout], None]) ->
         for name, m in scene.material.items()
         if name in assembly.specimen.blocks.groups
     }
-    conditions = conditions_of(scene, assembly.specimen, layout, assembly.joints, materials)
+    density = density_of(scene, assembly.specimen, assembly.joints, materials)
+    conditions = conditions_of(scene, assembly.specimen, layout, assembly.joints, density)
     change(conditions, layout)
     laws = {
         name: (parameters, joint)
@@ -31,7 +33,8 @@ def rebuilt(assembly: Assembly, change: Callable[[Conditions, Layout], None]) ->
     }
     solver = scene.solver
     stepping = model.Stepping(solver.masses, solver.time_step, solver.step_fraction, solver.damping)
-    built = model.build(assembly.specimen.blocks, assembly.joints, materials, laws, stepping, conditions, layout)
+    blocks, joints = assembly.specimen.blocks, assembly.joints
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, None, density)
     return replace(assembly, model=built)
 
 

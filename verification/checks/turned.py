@@ -20,7 +20,7 @@ from masonry.limit_analysis import analysis, contact_strengths
 from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.model import loads
 from masonry.model.gauges import Gauge, Place, gauge
-from masonry.model.layout import Layout, Material, lay_out
+from masonry.model.layout import Layout, lay_out
 from masonry.model.model import sort_by_group
 from masonry.scene import Scene
 
@@ -123,11 +123,13 @@ class _Turned:
         return replace(specimen, blocks=blocks, sets=sets), find_joints(blocks, *points)
 
     def conditions(
-        self, scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, materials: dict[str, Material]
+        self, scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, density: np.ndarray
     ) -> loads.Conditions:
         """In place of `assemble.conditions_of`."""
         old, new = self._upright(layout), loads.no_conditions(layout)
-        self.first = there = conditions.conditions_of(self.scene, old.specimen, old.layout, old.joints, materials)
+        self.first = there = conditions.conditions_of(
+            self.scene, old.specimen, old.layout, old.joints, density[np.argsort(old.order)]
+        )
         new.prescribed, new.supported = self._mask(old, there.prescribed), self._mask(old, there.supported)
         new.held_by = {name: self._mask(old, mask) for name, mask in there.held_by.items()}
         new.load = self._load(old, there.load)
@@ -149,12 +151,12 @@ class _Turned:
         specimen: Specimen,
         joints: Joints,
         layout: Layout,
-        materials: dict[str, Material],
+        density: np.ndarray,
         into: loads.Conditions,
     ) -> None:
         """In place of `assemble.let_grow`."""
         old, there = self._upright(layout), replace(self.first, each_load={}, varying=[])
-        growing_loads.let_grow(self.scene, old.specimen, old.joints, old.layout, materials, there)
+        growing_loads.let_grow(self.scene, old.specimen, old.joints, old.layout, density[np.argsort(old.order)], there)
         self._add_loads(old, there, into)
 
     def gauges(self, scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[Gauge, ...]:

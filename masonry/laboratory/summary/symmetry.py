@@ -9,6 +9,7 @@ from geometry.polyhedra.measures import centroids
 from masonry.assembly.assemble import Assembly, material_of
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import let_grow
+from masonry.assembly.masses import density_of
 from masonry.model.layout import lay_out
 from masonry.model.loads import Conditions
 from masonry.rows.history import Frame
@@ -74,9 +75,10 @@ def _as_rigid(assembly: Assembly) -> Conditions:
     specimen, joints = assembly.specimen, assembly.joints
     layout = lay_out(specimen.blocks, dict.fromkeys(specimen.blocks.groups, "rigid"), None)
     materials = {group: material_of(scene, group) for group in specimen.blocks.groups}
-    conditions = conditions_of(scene, specimen, layout, joints, materials)
+    density = density_of(scene, specimen, joints, materials)
+    conditions = conditions_of(scene, specimen, layout, joints, density)
     if scene.grows:
-        let_grow(scene, specimen, joints, layout, materials, conditions)
+        let_grow(scene, specimen, joints, layout, density, conditions)
     return conditions
 
 
