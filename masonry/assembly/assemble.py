@@ -81,7 +81,7 @@ def assemble(scene: Scene) -> Assembly:
         first = plan.factors_at(np.zeros(1))
         begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
     recording = _recording(scene, specimen, gauges_of(scene, specimen, joints, layout), Surroundings(conditions))
-    recording = replace(recording, ground=uniform_ground(scene, built.dt))
+    recording = replace(recording, ground=uniform_ground(scene, built.dt), is_shaken=bool(scene.ground))
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
 
 

@@ -57,6 +57,9 @@ class Configuration(Protocol):
         """All that acts between blocks now: the block (K,), the force (3, K) N on it, and its arm (3, K) m from the
         centroid."""
 
+    def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
+        """Two blocks (K, 2) and the force (K, 3) N between them now, of each joint and each patch."""
+
     def pressed(self) -> np.ndarray:
         """(B,) N, sums of all components of all forces at each block's contacts."""
 

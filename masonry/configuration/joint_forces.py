@@ -185,6 +185,25 @@ def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray
     return sides, np.concatenate([force, -force]).T.copy(), arm.T.copy()
 
 
+def forces_of_pairs(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray]:
+    """Two blocks (K, 2) and the force (K, 3) N between them, in large displacement: of each patch and each joint."""
+    points, whole, joints = _points(large.near), large.bonds.alive, model.joints
+    pair = np.column_stack([joints.block_a, joints.block_b])[whole]
+    of_patches, of_bonds = (
+        summed_in_runs(points.block, points.force),
+        summed_in_runs(pair, bond_forces(model, large, whole)),
+    )
+    return np.concatenate([of_patches[0], of_bonds[0]]), np.concatenate([of_patches[1], of_bonds[1]])
+
+
+def summed_in_runs(pair: np.ndarray, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs (K, 2) that follow each other, and the sum (K, 3) of the forces of each run of one pair."""
+    if not len(pair):
+        return pair, force
+    first = np.flatnonzero(np.append(True, np.any(pair[1:] != pair[:-1], axis=1)))
+    return pair[first], np.add.reduceat(force, first)
+
+
 def bond_forces(model: Model, large: Large, which: np.ndarray) -> np.ndarray:
     """(K, 3) N on side a of some bonds, along x, y and z."""
     if large.members is not None:

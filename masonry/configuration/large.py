@@ -12,7 +12,7 @@ from masonry.configuration.contacts import (
     stiffness_of_contacts,
     sums_of_blocks,
 )
-from masonry.configuration.joint_forces import JointForces, forces_on_blocks, moved
+from masonry.configuration.joint_forces import JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import written_arrays, written_in_large
@@ -110,6 +110,9 @@ class LargeDisplacement:
 
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         return forces_on_blocks(self.model, self.parts)
+
+    def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
+        return forces_of_pairs(self.model, self.parts)
 
     def pressed(self) -> np.ndarray:
         block, forces, _ = self.forces_on_blocks()

@@ -12,6 +12,7 @@ from masonry.configuration.contacts import (
     stiffness_of_contacts,
     sums_of_blocks,
 )
+from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
@@ -62,6 +63,10 @@ class SmallDisplacement:
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         force, (block, arm) = self.model.contacts.force.T, self._sides
         return block, np.concatenate([force, -force], axis=1), arm
+
+    def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
+        joints = self.model.joints
+        return summed_in_runs(np.column_stack([joints.block_a, joints.block_b]), self.model.contacts.force)
 
     @cached_property
     def _sides(self) -> tuple[np.ndarray, np.ndarray]:

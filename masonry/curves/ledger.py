@@ -16,7 +16,7 @@ LEDGER = {
 }
 """The terms that together make up the external work: label and colour."""
 ANEW, FOUND_ANEW = ("contacts found anew, turning", "#a6761d"), ("area", "redetection", "rotor")
-"""Columns that are drawn as one: what large displacement loses as contacts are found anew, and as blocks turn."""
+"""Columns that are drawn as one: what large displacement loses as contacts are looked for anew, and as blocks turn."""
 SHOWS = 1e-3
 """Share of the external work from which on they are."""
 

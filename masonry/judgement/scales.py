@@ -1,4 +1,4 @@
-"""The scales of a run: what a share of it is a share of, and the rows that count; found once."""
+"""The scales of a run: what a share of it is a share of, and the rows that count; made once."""
 
 from dataclasses import dataclass
 

@@ -11,9 +11,10 @@ from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
+from masonry.laboratory.shaking_text import shaking_rows
 from masonry.results.frame_choice import without_noise
 from masonry.results.reaction_words import reaction_lines
-from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Summary
+from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Shaking, Summary
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
@@ -123,7 +124,7 @@ def summary_rows(summary: Summary) -> Rows:
     rows = [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *_collapse_rows(summary),
-        *((name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()),
+        *_gauge_rows(summary, driven),
         *_balance_rows(summary, driven),
         *(_slow_rows(summary) if driven and not summary.in_real_time else []),
         ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
@@ -136,16 +137,26 @@ def summary_rows(summary: Summary) -> Rows:
     return [(name, lines) for name, lines in rows if lines]
 
 
+def _gauge_rows(summary: Summary, driven: bool) -> Rows:
+    """What gauges showed; of a run whose ground shakes what else it did."""
+    if summary.shaking is not None:
+        return shaking_rows(summary.shaking)
+    return [(name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()]
+
+
 def _collapse_rows(summary: Summary) -> Rows:
     """The factor of a load that grew, cycles, the tilt, and what fell."""
     grown, tilt = summary.collapse_load, summary.tilt_rad
-    branch = grown.branch if grown else None
+    branch, fallen = grown.branch if grown else None, summary.collapse
     return [
         ("load factor", factor_text(grown, bool(summary.interrupted)) if grown else []),
         ("past the collapse", [branch_text(branch)] if branch else []),
         ("cycles", [cycles_text(summary.cycles)] if summary.cycles else []),
         ("tilt of gravity", [] if tilt is None else [tilt_text(tilt, " at the end")]),
-        ("collapse", [collapse_text(summary.collapse, summary.section_m2)] if summary.collapse else []),
+        (
+            "collapse",
+            [collapse_text(fallen, summary.section_m2, summary.shaking)] if fallen else [],
+        ),
     ]
 
 
@@ -219,20 +230,21 @@ def tilt_text(tilt: float, when: str = "") -> str:
     return f"{degrees(tilt):.4g} deg{when}, tangent {tan(tilt):.4g}"
 
 
-def collapse_text(fallen: FirstFall, section: float | None = None) -> str:
-    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later.
+def collapse_text(fallen: FirstFall, section: float | None = None, shaking: Shaking | None = None) -> str:
+    """Which block fell first, when, and when and at what its fall began; and how hard it hit the drive later. Times are
+    those from the first step, or since the settling where the ground shakes.
 
     section: m2, of the drive.
     """
     blow = f"; later, blocks that fell hit the drive with up to {stress_text(fallen.blow_pa, section)}"
-    return f"{_first_to_fall(fallen)}{blow if fallen.blow_pa else ''}"
+    return f"{_first_to_fall(fallen, shaking)}{blow if fallen.blow_pa else ''}"
 
 
-def _first_to_fall(fallen: FirstFall) -> str:
+def _first_to_fall(fallen: FirstFall, shaking: Shaking | None) -> str:
     sets, place = ", ".join(fallen.sets), np.array(fallen.at_m)
     at = ", ".join(f"{without_noise(x, place):.4g}" for x in place)
     what = f"block {fallen.block} ({sets}), at ({at}) m at the start, is the first to fall, after "
-    what += f"{fallen.time_s:.4g} s"
+    what += f"{fallen.time_s - (shaking.settled_s if shaking else 0.0):.4g} s"
     if (began := fallen.began) is None:
         return f"{what}; when the fall began is not known: {fallen.began_unknown}" if fallen.began_unknown else what
     late = "; it falls at a smaller tilt already, as gravity turned on while the fall gained speed"
@@ -284,6 +296,8 @@ def branch_text(led: CollapseBranch) -> str:
 
 def gauge_text(readings: Readings, driven: bool = True) -> str:
     """What a gauge showed; without a drive there is no peak."""
+    if readings.unit is not None:
+        return f"{_number(readings.final, 1.0, readings.unit)} at the end"
     at_peak, final = _number(readings.at_peak_m, 1e3, "mm"), _number(readings.final_m, 1e3, "mm")
     return f"{at_peak} at the peak, {final} at the end" if driven else f"{final} at the end"
 

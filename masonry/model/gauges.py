@@ -33,6 +33,7 @@ class Gauge:
     quantity  "displacement", "velocity" or "acceleration". Of an acceleration a row reads the displacement, from which
               it follows once there are rows on both sides (masonry/rows/accelerations.py)
     sign, is_relative  of the direction along the axis; whether the motion of another place is taken off
+    height    m, by how much it lies above that place; 0 without one
     """
 
     name: str
@@ -43,6 +44,7 @@ class Gauge:
     quantity: str = "displacement"
     sign: float = 1.0
     is_relative: bool = False
+    height: float = 0.0
 
     def look(self, model: Model, velocities: dict[str, np.ndarray]) -> float:
         """What a row reads: m/s of a velocity, else m. velocities: (rows, dofs) by kind of motion, now."""
@@ -101,7 +103,14 @@ def gauge(
     arms = [_arms(layout, "rigid", place, factor) for place, factor in parts]
     block, arm, fraction = (np.concatenate([entry[k] for entry in arms]) for k in range(3))
     row, arm = layout.local[block], fraction[:, None] * arm
-    return Gauge(name, terms, row, arm, axis, quantity, sign, relative_to is not None)
+    height = 0.0 if relative_to is None else _level(layout, at) - _level(layout, relative_to)
+    return Gauge(name, terms, row, arm, axis, quantity, sign, relative_to is not None, height)
+
+
+def _level(layout: Layout, place: Place) -> float:
+    """m, the height of a place before loading."""
+    level = float(place.fraction @ place.point[:, 2])
+    return level if layout.mesh is None else level + float(place.node_fraction @ layout.mesh.nodes[place.node, 2])
 
 
 def _arms(layout: Layout, kind: str, place: Place, factor: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

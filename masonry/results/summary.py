@@ -65,10 +65,12 @@ class Course(Record):
 
 @dataclass(frozen=True, eq=False)
 class Readings(Record):
-    """Of a gauge."""
+    """Of a gauge; of one of a velocity or an acceleration what it reads at the end (`final`), and its unit."""
 
     at_peak_m: float | None = None
     final_m: float | None = None
+    final: float | None = None
+    unit: str | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,6 +240,66 @@ class CollapseLoad(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class GroundComponent(Record):
+    """The motion of the ground along one axis: its peaks, and where it ends."""
+
+    peak_acceleration_m_s2: float = 0.0
+    peak_velocity_m_s: float = 0.0
+    peak_displacement_m: float = 0.0
+    residual_velocity_m_s: float = 0.0
+    residual_displacement_m: float = 0.0
+    duration_s: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class GaugeSwing(Record):
+    """How far a gauge went from what it read when the dead loads had settled (m, m/s, m/s2), and what is left."""
+
+    quantity: str = "displacement"
+    peak: float = 0.0
+    time_s: float = 0.0
+    least: float = 0.0
+    most: float = 0.0
+    residual: float = 0.0
+    height_m: float | None = None
+    peak_drift: float | None = None
+    residual_drift: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Uplift(Record):
+    """The widest that a joint opened, until a block had fallen."""
+
+    opening_m: float = 0.0
+    time_s: float = 0.0
+    between: str = ""
+    at_m: list[float] = field(default_factory=list)
+
+
+@dataclass(frozen=True, eq=False)
+class LargestForce(Record):
+    """The largest force between two blocks."""
+
+    force_n: float = 0.0
+    time_s: float = 0.0
+    between: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Shaking(Record):
+    """What the ground did, and what it did to the specimen; times are those since the settling."""
+
+    settled_s: float = 0.0
+    ground: dict[str, GroundComponent] | None = table_of(GroundComponent)
+    gauges: dict[str, GaugeSwing] | None = table_of(GaugeSwing)
+    uplift: Uplift | None = one_of(Uplift)
+    largest_force: LargestForce | None = one_of(LargestForce)
+    input_energy_j: float | None = None
+    moves_supports: bool = False
+    rows_a_second: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Movements(Record):
     """How far blocks moved, what they met, and what fell."""
 
@@ -248,6 +310,7 @@ class Movements(Record):
     damping_after_settling: str | None = None
     collapse: FirstFall | None = one_of(FirstFall)
     collapse_load: CollapseLoad | None = one_of(CollapseLoad)
+    shaking: Shaking | None = one_of(Shaking)
 
 
 @dataclass(frozen=True, eq=False)

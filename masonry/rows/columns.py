@@ -40,6 +40,8 @@ OFF_BALANCE = "out_of_balance"
 average since the row before, over the collapse factor; 0 at the rests before."""
 GROUND = {axis: f"ground_{axis}" for axis in "xyz"}
 """By axis: the column (m/s2) of the acceleration of the ground, where it moves."""
+INPUT_ENERGY = "input_energy"
+"""The column (J) of a run whose ground moves: the work since the settling of all but the dead loads."""
 GRAVITY = 9.80665
 """m/s2, by which accelerations are told as shares of g."""
 RATES = {"velocity": "m/s", "acceleration": "m/s2"}
@@ -50,7 +52,7 @@ DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, *GROUND.values()}
+    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, *GROUND.values()}
     return [column for column in columns if column not in others]
 
 
@@ -59,4 +61,8 @@ def unit_of(column: str) -> str:
     how far it is from equilibrium."""
     if column in GROUND.values():
         return "m/s2"
-    return {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1"}.get(column) or UNITS.get(column) or LARGE_UNITS.get(column, "m")
+    return (
+        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J"}.get(column)
+        or UNITS.get(column)
+        or LARGE_UNITS.get(column, "m")
+    )

@@ -111,25 +111,7 @@ def _large_only(scene: Any) -> None:
 def _real_time(scene: Any) -> None:
     """Times, velocities and ratios of damping are those of real masses."""
     if scene.solver.masses != "real":
-        real = "needs solver.masses = 'real': scaled masses do not move in real time"
-        in_real_time = {
-            "solver.duration": scene.solver.duration is not None,
-            "damping": scene.damping is not None,
-            "motion.0": bool(scene.motion),
-            "curve.x": scene.curve is not None and scene.curve.x == "time",
-        }
-        for key, is_there in in_real_time.items():
-            if is_there:
-                raise KeyedError(key, real)
-        if scene.settle is not None and scene.settle.steps == 0:
-            raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
-        if scene.solver.sampling is not None:
-            raise KeyedError("solver.sampling", real)
-        for k, gauge in enumerate(scene.gauge):
-            if gauge.quantity != "displacement":
-                raise KeyedError(f"gauge.{k}.quantity", f"'{gauge.quantity}' {real}")
-        if scene.curve is not None and scene.curve.x == "time":
-            raise KeyedError("curve.x", f"'time' {real}")
+        _of_real_masses(scene)
     if scene.solver.sampling is not None and "rows" in scene.solver.model_fields_set:
         raise KeyedError("solver.sampling", "rows and sampling exclude each other; keep one of them")
     varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
@@ -138,6 +120,24 @@ def _real_time(scene: Any) -> None:
         raise KeyedError("solver.duration", "missing; without a drive it says how long the run takes, such as '2 s'")
     if scene.solver.until is not None and not timed and scene.solver.duration is None:
         raise KeyedError("solver.duration", "missing; until = 'rest' needs it: the latest end, for example '10 s'")
+
+
+def _of_real_masses(scene: Any) -> None:
+    """What scaled masses cannot have."""
+    real = "needs solver.masses = 'real': scaled masses do not move in real time"
+    in_real_time = {
+        "solver.duration": scene.solver.duration is not None,
+        "damping": scene.damping is not None,
+        "motion.0": bool(scene.motion),
+        "solver.sampling": scene.solver.sampling is not None,
+        "curve.x": scene.curve is not None and scene.curve.x == "time",
+        **{f"gauge.{k}.quantity": gauge.quantity != "displacement" for k, gauge in enumerate(scene.gauge)},
+    }
+    for key, is_there in in_real_time.items():
+        if is_there:
+            raise KeyedError(key, real)
+    if scene.settle is not None and scene.settle.steps == 0:
+        raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
 
 
 def _ground(scene: Any) -> None:

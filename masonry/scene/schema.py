@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, WrapSerializer, model_validator
 
 from masonry.errors import did_you_mean, nearest
-from masonry.rows.columns import FACTOR, GROUND, OFF_BALANCE, TILT, UNITS, gauges_of
+from masonry.rows.columns import FACTOR, GROUND, INPUT_ENERGY, OFF_BALANCE, TILT, UNITS, gauges_of
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.added_mass import AddedMass
@@ -244,28 +244,33 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, TILT, FACTOR, OFF_BALANCE, *GROUND.values()]
+        names = [*UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, *GROUND.values()]
         for k, gauge in enumerate(self.gauge):
             if gauge.name in names:
                 raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
             names.append(gauge.name)
-        tilts = self.gravity is not None and self.gravity.tilt is not None
         gauges = gauges_of(names)
-        across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
-        if self.curve is not None and self.curve.x not in across:
-            raise KeyedError("curve.x", f"'{self.curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
-        for name in () if self.curve is None else self.curve.gauges:
-            if name not in gauges:
-                allowed = ", ".join(["stress", "force", *gauges])
-                raise KeyedError("curve.y", f"'{name[:60]}' is no gauge; allowed: {allowed}")
-            if self.curve is not None and self.curve.x != "time":
-                raise KeyedError("curve.y", "a gauge is drawn over the time only: give curve.x = 'time'")
+        if self.curve is not None:
+            self._curve_draws(self.curve, gauges)
         led = None if self.limit is None else self.limit.control
         if led is not None and led not in gauges:
             there = nearest(led, gauges) if gauges else "there is none: give the scene a table [[gauge]]"
             raise KeyedError("limit.control", f"'{led[:60]}' is no gauge; {there}")
         if self.limit is not None and self.limit.history is not None and not gauges:
             raise KeyedError("gauge", "missing; the loops of limit.history are drawn over one: give a table [[gauge]]")
+
+    def _curve_draws(self, curve: Curve, gauges: list[str]) -> None:
+        """What it names is there."""
+        tilts = self.gravity is not None and self.gravity.tilt is not None
+        across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
+        if curve.x not in across:
+            raise KeyedError("curve.x", f"'{curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
+        for name in curve.gauges:
+            if name not in gauges:
+                allowed = ", ".join(["stress", "force", *gauges])
+                raise KeyedError("curve.y", f"'{name[:60]}' is no gauge; allowed: {allowed}")
+            if curve.x != "time":
+                raise KeyedError("curve.y", "a gauge is drawn over the time only: give curve.x = 'time'")
 
     def _kinematics_have_what_they_need(self) -> None:
         if self.deforms("floor") and self.is_floor("floor") and "floor" not in self.material:

@@ -19,7 +19,7 @@ from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
-from masonry.rows.columns import FACTOR, UNITS
+from masonry.rows.columns import FACTOR, INPUT_ENERGY, UNITS
 from masonry.rows.history import Frame
 from masonry.rows.peak import reached
 from masonry.runtime.processors import Seconds
@@ -254,6 +254,8 @@ class Loop:
         recording, settled = self.recording, self.settle * self.model.dt
         history.units = finish_columns(history.rows, recording.gauges, recording.ground, settled)
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
+        if (energy_in := self.outcome.observed.pop(INPUT_ENERGY, None)) is not None:
+            history.rows[INPUT_ENERGY] = energy_in
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}

@@ -10,6 +10,7 @@ from masonry.monitors.observer import Observer
 from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import WorkOfLoads
 from masonry.monitors.settling import Moving, Settling
+from masonry.monitors.shaking_watch import ShakingWatch
 from masonry.monitors.slide import Slide
 from masonry.timeloop.recording import Recording
 
@@ -23,6 +24,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
         "settling": Settling(model),
         **moving,
         "law_area": LawArea(model),
+        **({"shaking": ShakingWatch(recording.surroundings)} if recording.is_shaken else {}),
         "work_of_loads": WorkOfLoads(recording.surroundings),
     }
 

@@ -5,7 +5,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.scales import Scales
 from masonry.results.summary import Extremes, Readings
-from masonry.rows.columns import TILT
+from masonry.rows.columns import RATES, TILT
 from masonry.rows.cycles import table
 from masonry.rows.peak import at_peak, only_rises, reached
 from masonry.timeloop.recording import Outcome
@@ -46,10 +46,12 @@ def rise_at_end(rows: dict[str, np.ndarray], peak: float) -> float | None:
 def _readings(assembly: Assembly, outcome: Outcome, driven: bool) -> dict[str, Readings]:
     """By gauge, at the peak of the drive (between the rows before and after it) and at the end."""
     standing, peak = outcome.standing_rows, outcome.displacement_at_peak
+    final = {gauge.name: float(outcome.history.rows[gauge.name][-1]) for gauge in assembly.recording.gauges}
     return {
         gauge.name: Readings(
-            at_peak_m=at_peak(standing, standing[gauge.name], peak) if driven else None,
-            final_m=float(outcome.history.rows[gauge.name][-1]),
+            at_peak_m=at_peak(standing, standing[gauge.name], peak) if driven else None, final_m=final[gauge.name]
         )
+        if gauge.quantity == "displacement"
+        else Readings(final=final[gauge.name], unit=RATES[gauge.quantity])
         for gauge in assembly.recording.gauges
     }

@@ -6,7 +6,9 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
+from masonry.laboratory.summary.shaking import shaking
 from masonry.model.damping import swing_of
+from masonry.monitors.shaking_watch import BY_GROUND
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
@@ -30,6 +32,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
         damping_after_settling=swing_of(scene.damping).words if scene.swings else None,
         collapse=_collapse(assembly, outcome) if large else None,
         collapse_load=None if grown is None else CollapseLoad.read(grown),
+        shaking=shaking(assembly, outcome),
     )
 
 
@@ -44,7 +47,9 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> FirstFall | None:
     block, step, energies = outcome.found["collapse"]
     rows, specimen = outcome.history.rows, assembly.specimen
     row = int(np.searchsorted(rows["step"], step))
-    last, time = beginning(rows, row)
+    last, time = (
+        (None, 0.0) if assembly.scene.ground else beginning(rows, row)
+    )  # what is shaken is never at rest before
     began = None if last is None else _moment(assembly, rows, last)
     first = int(np.searchsorted(rows["time"], time, side="right")) - 1
     setting_out = None if last is None else _moment(assembly, rows, first)
@@ -104,5 +109,8 @@ def _varying(assembly: Assembly, step: int) -> dict[str, float]:
     return {
         load.name: float(load_factors[load.varies, 0])
         for load in assembly.recording.surroundings.loads
-        if load.varies is not None and load.varies >= layers and not (tilts and load.name.startswith("gravity"))
+        if load.varies is not None
+        and load.varies >= layers
+        and not (tilts and load.name.startswith("gravity"))
+        and not load.name.startswith(BY_GROUND)
     }

@@ -1,0 +1,87 @@
+"""What the ground did, and what it did to the specimen: gauges, uplift, the largest force, the energy that came in."""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.model.gauges import Gauge
+from masonry.results.summary import GaugeSwing, GroundComponent, LargestForce, Shaking, Uplift
+from masonry.rows.columns import INPUT_ENERGY
+from masonry.timeloop.recording import Outcome
+
+
+def shaking(assembly: Assembly, outcome: Outcome) -> Shaking | None:
+    """Of the rows since the settling; None where no ground moves. Times are those since the settling."""
+    recording, rows = assembly.recording, outcome.history.rows
+    if not assembly.scene.ground:
+        return None
+    settled = assembly.plan.settle * assembly.model.dt
+    first = int(np.searchsorted(rows["step"], assembly.plan.settle))
+    since = rows["time"][first:] - settled
+    grounds = {} if recording.ground is None else recording.ground.motions
+    return Shaking(
+        settled_s=settled,
+        ground={
+            axis: GroundComponent(
+                peak_acceleration_m_s2=motion.peak_acceleration,
+                peak_velocity_m_s=motion.peak_velocity,
+                peak_displacement_m=motion.peak_displacement,
+                residual_velocity_m_s=motion.residual_velocity,
+                residual_displacement_m=motion.residual_displacement,
+                duration_s=motion.duration,
+            )
+            for axis, motion in grounds.items()
+        },
+        gauges={gauge.name: _swing(gauge, since, rows[gauge.name][first:]) for gauge in recording.gauges},
+        uplift=_uplift(assembly, outcome, first, settled),
+        largest_force=_largest_force(assembly, outcome, settled),
+        input_energy_j=float(rows[INPUT_ENERGY][-1]) if INPUT_ENERGY in rows else None,
+        moves_supports=bool(assembly.scene.moved_grounds),
+        rows_a_second=float(1.0 / np.median(np.diff(since))) if len(since) > 1 else None,
+    )
+
+
+def _swing(gauge: Gauge, since: np.ndarray, reading: np.ndarray) -> GaugeSwing:
+    """Of a gauge, from what it read when the settling had ended."""
+    change = reading - reading[0]
+    k, height = int(np.argmax(np.abs(change))), gauge.height
+    drifts = gauge.quantity == "displacement" and height > 0.0
+    return GaugeSwing(
+        quantity=gauge.quantity,
+        peak=float(change[k]),
+        time_s=float(since[k]),
+        least=float(change.min()),
+        most=float(change.max()),
+        residual=float(change[-1]),
+        height_m=height if drifts else None,
+        peak_drift=float(abs(change[k]) / height) if drifts else None,
+        residual_drift=float(abs(change[-1]) / height) if drifts else None,
+    )
+
+
+def _uplift(assembly: Assembly, outcome: Outcome, first: int, settled: float) -> Uplift | None:
+    """The widest that a joint opened until a block had fallen: what falls opens without end."""
+    widest, rows = outcome.observed["widest"], outcome.history.rows
+    behind = len(outcome.standing_rows["step"])
+    if "widest_at" not in outcome.observed or behind <= first:
+        return None
+    row = first + int(np.argmax(widest[first:behind]))
+    contact, joints = int(outcome.observed["widest_at"][row]), assembly.joints
+    if contact < 0:
+        return None
+    return Uplift(
+        opening_m=float(widest[row]),
+        time_s=float(rows["time"][row] - settled),
+        between=assembly.model.two_blocks(int(joints.block_a[contact]), int(joints.block_b[contact])),
+        at_m=joints.point[contact].tolist(),
+    )
+
+
+def _largest_force(assembly: Assembly, outcome: Outcome, settled: float) -> LargestForce | None:
+    largest = outcome.found.get("pair_force")
+    if largest is None:
+        return None
+    return LargestForce(
+        force_n=largest.force,
+        time_s=largest.step * assembly.model.dt - settled,
+        between=assembly.model.two_blocks(*largest.pair),
+    )
