@@ -6,11 +6,13 @@ the joint were elastic and did not pull; shear force and the moment about the no
 moment are those of the patch, as far as the contacts reach. Between blocks of one unit each pair is looked at alone.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from geometry.polyhedra.measures import extent
+from masonry.jit.compiled_parts import Call, RepeatedCall
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import Near
@@ -37,11 +39,35 @@ class Points(NamedTuple):
     normal: np.ndarray
 
 
+class BearingPoints:
+    """Takes the points that bear now; room for them is there from one time to the next."""
+
+    def __init__(self, near: Near) -> None:
+        self.number, self.call = np.zeros(1, dtype=np.int64), RepeatedCall(point_forces)
+        self.make_room(int(near.points.number.sum()))
+
+    def make_room(self, room: int) -> None:
+        self.room = (*np.zeros((2, room, 2), dtype=np.int64), *np.zeros((3, room, 3)))
+
+    def of(self, near: Near) -> Call:
+        """The call that looks for them."""
+        return self.call.of(near, *self.room, self.number)
+
+    def take(self, near: Near) -> Points:
+        """The points, in arrays of their own."""
+        self.of(near)()
+        if self.number[0] > len(self.room[0]):
+            self.make_room(2 * int(self.number[0]))
+            self.of(near)()
+        return Points(*(array[: self.number[0]].copy() for array in self.room))
+
+
 class JointForces:
     """Takes the forces of all contacts of a model; which contacts make up a joint is found once."""
 
-    def __init__(self, model: Model, large: Large) -> None:
-        self.model, self.parts, joints = model, large, model.joints
+    def __init__(self, model: Model, large: Large, bearing: Callable[[Near], Points]) -> None:
+        """bearing: takes the points of patches that bear"""
+        self.model, self.parts, self.bearing, joints = model, large, bearing, model.joints
         if not len(joints.area):
             return
         from scipy.spatial import cKDTree
@@ -107,7 +133,7 @@ class JointForces:
     def _on_joints(self, gone: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Of all points of patches in the plane of a joint: its number (K,), the place (K, 3) m and the force (K, 3) N
         on the side of the lower unit, turned back with the block there."""
-        near, points = self.parts.near, _points(self.parts.near)
+        near, points = self.parts.near, self.bearing(self.parts.near)
         key, sign = self._sides(points.block)
         which = np.minimum(np.searchsorted(self.pairs, key), len(self.pairs) - 1)
         row, low = np.arange(len(key)), (sign < 0.0).astype(int)
@@ -168,11 +194,14 @@ class JointForces:
         return np.asarray(one[:, None] * self.along + two[:, None] * self.beside)
 
 
-def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def forces_on_blocks(model: Model, large: Large, points: Points) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """All that acts between blocks now, in large displacement: the block (K,), the force (3, K) N on it, and its arm
-    (3, K) m from the centroid, along x, y and z; of blocks of tets from where that was."""
+    (3, K) m from the centroid, along x, y and z; of blocks of tets from where that was.
+
+    points  of patches, those that bear
+    """
     bonds, joints, layout = large.bonds, model.joints, model.layout
-    points, whole = _points(large.near), bonds.alive
+    whole = bonds.alive
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
     block, force = (
         np.concatenate([points.block, pair]),
@@ -185,9 +214,12 @@ def forces_on_blocks(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray
     return sides, np.concatenate([force, -force]).T.copy(), arm.T.copy()
 
 
-def forces_of_pairs(model: Model, large: Large) -> tuple[np.ndarray, np.ndarray]:
-    """Two blocks (K, 2) and the force (K, 3) N between them, in large displacement: of each patch and each joint."""
-    points, whole, joints = _points(large.near), large.bonds.alive, model.joints
+def forces_of_pairs(model: Model, large: Large, points: Points) -> tuple[np.ndarray, np.ndarray]:
+    """Two blocks (K, 2) and the force (K, 3) N between them, in large displacement: of each patch and each joint.
+
+    points  of patches, those that bear
+    """
+    whole, joints = large.bonds.alive, model.joints
     pair = np.column_stack([joints.block_a, joints.block_b])[whole]
     of_patches, of_bonds = (
         summed_in_runs(points.block, points.force),
@@ -216,10 +248,3 @@ def moved(model: Model, large: Large, point: np.ndarray, block: np.ndarray) -> n
     """(K, 3) m, how far points (K, 3) of some rigid or affine blocks have moved."""
     motion, arm = large.near.motion, point - model.layout.centroid[block]
     return np.asarray(motion.moved[block, :3] + np.einsum("kij,kj->ki", motion.frame[block], arm) - arm)
-
-
-def _points(near: Near) -> Points:
-    room = int(near.points.number.sum())
-    numbers, vectors = np.zeros((2, room, 2), dtype=np.int64), np.zeros((3, room, 3))
-    count = point_forces(near, *numbers, *vectors)
-    return Points(*numbers[:, :count], *vectors[:, :count])

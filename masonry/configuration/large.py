@@ -12,11 +12,11 @@ from masonry.configuration.contacts import (
     stiffness_of_contacts,
     sums_of_blocks,
 )
-from masonry.configuration.joint_forces import JointForces, forces_of_pairs, forces_on_blocks, moved
+from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import written_arrays, written_in_large
-from masonry.jit.compiled_parts import StepCalls
+from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
 from masonry.kernels.shaking import shaking
@@ -39,6 +39,9 @@ class LargeDisplacement:
 
     def __init__(self, model: Model, large: Large) -> None:
         self.model, self.parts, self.stepper = model, large, Stepper()
+        self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
+        self.bearing = BearingPoints(large.near)
+        self.energy, self.deepest_overlap, self.deepest_pair = np.zeros(1), np.zeros(1), np.zeros(1, dtype=np.int64)
 
     @property
     def skin(self) -> float:
@@ -63,7 +66,15 @@ class LargeDisplacement:
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
             *(large.near, large.members, shared),
         )
-        return calls.followed_by(shaking(model.moved_supports, bodies))
+        calls = calls.followed_by(shaking(model.moved_supports, bodies))
+        calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self.bearing.of(large.near)]
+        return calls
+
+    def _stored(self) -> Call:
+        return self.stored.of(self.parts.near, self.energy)
+
+    def _overlap(self, width: np.ndarray) -> Call:
+        return self.overlap.of(self.parts.near, width, self.deepest_overlap, self.deepest_pair)
 
     def after_row(self) -> None:
         retire(self.model, self.parts)
@@ -71,7 +82,8 @@ class LargeDisplacement:
     def look_at_contacts(self, seen: np.ndarray) -> float:
         stored = look_at_contacts(self.model, seen)
         self._look_at_parted_points(seen)
-        return stored + stored_energy(self.parts.near)
+        self._stored()()
+        return stored + float(self.energy[0])
 
     def _look_at_parted_points(self, seen: np.ndarray) -> None:
         """How far points of joints without bonds have parted, in the frame of side a; they carry nothing."""
@@ -103,16 +115,16 @@ class LargeDisplacement:
 
     @cached_property
     def _joint_forces(self) -> JointForces:
-        return JointForces(self.model, self.parts)
+        return JointForces(self.model, self.parts, self.bearing.take)
 
     def joint_forces(self) -> np.ndarray:
         return self._joint_forces.take()
 
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        return forces_on_blocks(self.model, self.parts)
+        return forces_on_blocks(self.model, self.parts, self.bearing.take(self.parts.near))
 
     def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
-        return forces_of_pairs(self.model, self.parts)
+        return forces_of_pairs(self.model, self.parts, self.bearing.take(self.parts.near))
 
     def pressed(self) -> np.ndarray:
         block, forces, _ = self.forces_on_blocks()
@@ -136,9 +148,9 @@ class LargeDisplacement:
 
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         near = self.parts.near
-        overlap, pair = deepest(near, width[near.pieces.block])
-        a, b = near.pieces.block[near.pairs.body[pair]]
-        return float(overlap), (int(a), int(b))
+        self._overlap(width)()
+        a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
+        return float(self.deepest_overlap[0]), (int(a), int(b))
 
     def rounding(self, kinetic: float) -> float:
         mass = sum(float(of_kind[:, 0].sum()) for of_kind in self.model.masses.values())

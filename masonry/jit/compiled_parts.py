@@ -85,6 +85,21 @@ class Call:
         make(*self.addresses)
 
 
+class RepeatedCall:
+    """A part that is called now and then, from Python, mostly with the same arguments: the call is put together anew
+    where one of them is another object."""
+
+    def __init__(self, part: CompiledPart) -> None:
+        self.part, self.made = part, part.of()
+
+    def of(self, *arguments: Any) -> Call:
+        """The call with these arguments."""
+        before = self.made.arguments
+        if len(before) != len(arguments) or any(one is not new for one, new in zip(before, arguments, strict=True)):
+            self.made = self.part.of(*arguments)
+        return self.made
+
+
 @jit
 def make(function, record):
     """Make a call by its addresses."""
@@ -97,6 +112,7 @@ class StepCalls:
     def __init__(self, *sections: Sequence[Call]) -> None:
         self.calls = [call for section in sections for call in section]
         self.bounds = np.cumsum([0, *map(len, sections)])
+        self.of_rows: list[Call] = []
 
     def followed_by(self, calls: Sequence[Call]) -> "StepCalls":
         """With more calls at the end of the last section."""
@@ -109,8 +125,8 @@ class StepCalls:
 
     @property
     def all_calls(self) -> list[Call]:
-        """Its calls and those that they make."""
-        return [inner for call in self.calls for inner in (*call.nested, call)]
+        """Its calls and those that they make; and what rows call, which is compiled beside them."""
+        return [*(inner for call in self.calls for inner in (*call.nested, call)), *self.of_rows]
 
     def addresses(self) -> np.ndarray:
         """(K, 2); compiles what is not compiled yet."""

@@ -40,13 +40,13 @@ def step(
     if members is None:
         parting = [_part_rigid.of(bonds, motion, local)] if some_bonds else []
         pushing = [_push_rigid.of(bonds, motion, local, force)] if some_bonds else []
-        rest = [*moves, *parting, *sweeps, _press.of(near, dt), *pushing, *kicks]
+        rest = [*moves, *parting, *sweeps, press.of(near, dt), *pushing, *kicks]
         return StepCalls([], begins, [looking(near, shared)], rest)
     places = of_each_kind(places_of, bodies, motion, members, bonds)
     velocities = of_each_kind(velocities_of, bodies, motion, members)
     parting = [_to_frames.of(bonds, local)] if some_bonds else []
     pushing = [_from_frames.of(bonds, force)] if some_bonds else []
-    patches = [_press_deforming.of(near, dt), *of_each_kind(patch_forces_on, bodies, motion, members)]
+    patches = [press_deforming.of(near, dt), *of_each_kind(patch_forces_on, bodies, motion, members)]
     rest = [*moves, *places, *parting, *sweeps, *pushing, *patches, *kicks]
     return StepCalls(places, [*velocities, *begins], [looking(near, shared)], rest)
 
@@ -109,15 +109,3 @@ def _to_frames(record):
 def _from_frames(record):
     bonds, force = unpack(record)
     bonded.from_frames(bonds, force)
-
-
-@CompiledPart
-def _press(record):
-    near, dt = unpack(record)
-    press(near, dt)
-
-
-@CompiledPart
-def _press_deforming(record):
-    near, dt = unpack(record)
-    press_deforming(near, dt)

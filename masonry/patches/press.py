@@ -10,7 +10,9 @@ from math import sqrt
 
 import numpy as np
 
+from masonry.jit.compiled_parts import CompiledPart
 from masonry.jit.compiler import inlined, inner, jit
+from masonry.jit.records import unpack
 from masonry.kinematics.planes import plane_of, turned
 from masonry.patches.arrays import (
     AREA,
@@ -32,8 +34,8 @@ ROUND_OFF = 1e-15
 """Of a sum of three squares, after a few operations on each."""
 
 
-@jit
-def press(near, dt):
+@CompiledPart
+def press(record):
     """Forces and moments of all points of all patches into motion.push, from their gaps and the slip of this step.
 
     near is what arrays.Near says; its account gets what friction and the dashpots dissipate. Four points of a
@@ -41,6 +43,7 @@ def press(near, dt):
     centroid of the reference to that one, and v, w velocities and spins, the other block moves against the reference
     at a by v - v_ref - w_ref x o + (w - w_ref) x a, and the moment on the reference is that on the other and o x force.
     """
+    near, dt = unpack(record)
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
@@ -245,20 +248,22 @@ def gap_of(pairs, points, motion, p, k):
     return along - scale * number_of(points, s, k, LEVEL)
 
 
-@jit
-def stored_energy(near):
-    """Elastic energy (J) of all patches."""
-    energy = 0.0
+@CompiledPart
+def stored_energy(record):
+    """Elastic energy (J) of all patches, into energy (1,)."""
+    near, energy = unpack(record)
+    energy[0] = 0.0
     for p in range(near.pairs.number[0]):
         pressed, sheared = stored(near.pairs, near.points, near.rules, near.motion, p)
-        energy += pressed + sheared
-    return energy
+        energy[0] += pressed + sheared
 
 
-@jit
-def point_forces(near, block, body, place, force, normal):
+@CompiledPart
+def point_forces(record):
     """Write the two blocks and bodies (K, 2), the place (K, 3) m, the force (K, 3) N on the first, and the normal
-    (K, 3) from it to the second, of all points that bear; returns how many there are, or would be with more room."""
+    (K, 3) from it to the second, of all points that bear; and into number (1,) how many these are, or would be with
+    more room."""
+    near, block, body, place, force, normal, number = unpack(record)
     pairs, points, motion, count = near.pairs, near.points, near.motion, 0
     for p in range(pairs.number[0]):
         s, own = pairs.slot[p], pairs.points_of[p]
@@ -283,18 +288,20 @@ def point_forces(near, block, body, place, force, normal):
                     body[count, side] = pairs.body[p, side]
                     block[count, side] = near.pieces.block[pairs.body[p, side]]
             count += 1
-    return count
+    number[0] = count
 
 
-@jit
-def deepest(near, width):
-    """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks; and the pair."""
-    pairs, points, most, which = near.pairs, near.points, 0.0, -1
+@CompiledPart
+def deepest(record):
+    """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks, into overlap
+    (1,); and the pair, into pair (1,)."""
+    near, width, overlap, pair = unpack(record)
+    pairs, points, block, most, which = near.pairs, near.points, near.pieces.block, 0.0, -1
     for p in range(pairs.number[0]):
         s = pairs.slot[p]
         for k in range(points.number[s] if s >= 0 else 0):
             gap = gap_of(pairs, points, near.motion, p, k)
-            overlap = -gap / min(width[pairs.body[p, 0]], width[pairs.body[p, 1]])
-            if overlap > most:
-                most, which = overlap, p
-    return most, which
+            over_width = -gap / min(width[block[pairs.body[p, 0]]], width[block[pairs.body[p, 1]]])
+            if over_width > most:
+                most, which = over_width, p
+    overlap[0], pair[0] = most, which

@@ -6,19 +6,22 @@ of the reference at the foot of the point on the plane). So the normal force act
 its own line from the point, and the shear force at the point: no couple is left, and the springs are conservative.
 """
 
-from masonry.jit.compiler import inlined, inner, jit
+from masonry.jit.compiled_parts import CompiledPart
+from masonry.jit.compiler import inlined, inner
+from masonry.jit.records import unpack
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.patches.arrays import DASHPOT, FRICTION, LEVEL, between, joint_of
 from masonry.patches.press import clear, ease, four_of, places, respond
 from masonry.simd import FOUR, below, filled, four, total
 
 
-@jit
-def press_deforming(near, dt):
+@CompiledPart
+def press_deforming(record):
     """Forces and first moments of all points of all patches into motion.push (B, 12), as `press` does for rigid blocks.
 
     A row is the force f, then sum of f_i y_j row by row, with y from the centroid now.
     """
+    near, dt = unpack(record)
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     dual, rate = motion.dual, motion.rate

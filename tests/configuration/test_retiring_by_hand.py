@@ -6,9 +6,9 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.configuration import retirement
 from masonry.patches.arrays import SHEAR
-from masonry.patches.press import stored_energy
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
+from tests.large.by_hand.patch_calls import stored_energy
 from tests.large.made import dry, slab
 from tests.scenes import box
 

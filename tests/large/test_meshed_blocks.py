@@ -13,10 +13,9 @@ from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.model.large.block_motion import outer_tets
-from masonry.patches.press import stored_energy
-from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
+from tests.large.by_hand.patch_calls import press_deforming, stored_energy
 from tests.large.made import DENSITY, G, gather, hand_over, leaning, slab
 from tests.large.test_deforming import advanced
 from tests.scenes import box, listed, load, specimen, tables

@@ -6,11 +6,10 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.kinematics import deforming
 from masonry.patches.arrays import SHEAR
-from masonry.patches.press import stored_energy
-from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
+from tests.large.by_hand.patch_calls import press_deforming, stored_energy
 from tests.large.made import gather, hand_over
 from tests.large.test_deforming import on_a_slope
 

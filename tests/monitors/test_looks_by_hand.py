@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.configuration import joint_forces, large
+from masonry.configuration import large
 from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
 from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
@@ -179,7 +179,7 @@ def fallen() -> Assembly:
 @pytest.mark.parametrize(("share", "falls"), EITHER_SIDE)
 def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, falls, monkeypatch):
     model = fallen().model
-    monkeypatch.setattr(large, "deepest", lambda *_: (0.0, -1))
+    monkeypatch.setattr(large.LargeDisplacement, "deepest", lambda *_: (0.0, (0, 1)))
     model.bodies.rigid.q[1, :3] = 5.0, 0.0, -share * 0.5 * 0.1
     look = Collapse(model)
     look.look(model, replace(seen(model), terms=CLOSED | {"kinetic": 3.0}), 11)
@@ -194,11 +194,11 @@ def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, fal
 def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monkeypatch):
     model, widths = fallen().model, []
 
-    def deepest(near, width):
+    def deepest(self, width):
         widths.append(width)
-        return share * 0.5, 0
+        return share * 0.5, (0, 1)
 
-    monkeypatch.setattr(large, "deepest", deepest)
+    monkeypatch.setattr(large.LargeDisplacement, "deepest", deepest)
     look = Collapse(model)
     if stopped:
         with pytest.raises(Stopped, match="overlap by 0.51 of the width of the thinner one"):
@@ -239,10 +239,10 @@ def test_an_elastic_contact_is_a_roller_up_to_a_millionth_of_its_normal_stiffnes
 
 @pytest.mark.parametrize("turned", [np.eye(3), turn(0, 0.7) @ turn(2, -2.0)])
 @pytest.mark.parametrize("upside", [False, True])
-def test_a_joint_bears_the_force_and_the_moment_of_its_patches_about_its_normal_too(turned, upside, monkeypatch):
+def test_a_joint_bears_the_force_and_the_moment_of_its_patches_about_its_normal_too(turned, upside):
     """Four points press and rub unlike each other; contacts of the joint have the same sums, in the frame at first."""
     model = fallen().model
-    forces, joints = JointForces(model, model.large), model.joints
+    joints = model.joints
     rng, middle = np.random.default_rng(2), np.array([0.01, -0.02, 0.0])
     place = middle + np.array([[0.05, 0.04, 0.0], [-0.05, 0.05, 0.0], [-0.04, -0.05, 0.0], [0.05, -0.04, 0.0]])
     acts = np.column_stack([rng.normal(size=(4, 2)), [-5.0, -6.0, -4.0, -5.5]])  # on the slab
@@ -254,8 +254,9 @@ def test_a_joint_bears_the_force_and_the_moment_of_its_patches_about_its_normal_
     pair = np.tile([1, 0] if upside else [0, 1], (4, 1))
     sign = -1.0 if upside else 1.0
     points = Points(pair, pair, now, sign * acts @ turned.T, np.tile(sign * turned[:, 2], (4, 1)))
-    monkeypatch.setattr(joint_forces, "_points", lambda near: points)
-    found = forces.take() * np.where(joints.block_a == 0, 1.0, -1.0)[:, None]
+    found = (
+        JointForces(model, model.large, lambda near: points).take() * np.where(joints.block_a == 0, 1.0, -1.0)[:, None]
+    )
     assert found.sum(axis=0) == pytest.approx(acts.sum(axis=0), abs=1e-9)
     moments = [np.cross(at - middle, force).sum(axis=0) for at, force in ((joints.point, found), (place, acts))]
     assert np.abs(moments[1]).min() > 1e-3, "about all axes, the normal among them"

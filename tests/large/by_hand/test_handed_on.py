@@ -17,11 +17,11 @@ from masonry.patches.arrays import (
 )
 from masonry.patches.press import gap_of
 from masonry.patches.press import stored as energies
-from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large import test_pressed_blocks as blocks
+from tests.large.by_hand.patch_calls import press_deforming
 
 SHEARED = np.array([0.8e4, 0.6e4, 0.0])
 """Pa, less than friction bears."""

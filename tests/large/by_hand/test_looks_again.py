@@ -5,9 +5,9 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.patches.arrays import LOOKS, SEARCHES
-from masonry.patches.press import stored_energy
 from masonry.patches.refreshing import count_travel, refresh
 from tests.kinematics.bricks import turn
+from tests.large.by_hand.patch_calls import stored_energy
 from tests.large.made import dry, slab
 from tests.scenes import box
 

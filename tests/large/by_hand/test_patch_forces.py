@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.joint_forces import BearingPoints
 from masonry.patches.arrays import BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
-from masonry.patches.press import point_forces, press, stored_energy
 from masonry.patches.refreshing import refresh
 from tests.kinematics.bricks import turn
+from tests.large.by_hand.patch_calls import press, stored_energy
 from tests.large.made import DENSITY, dry, slab
 from tests.scenes import box
 
@@ -161,10 +162,8 @@ def test_what_presses_from_the_start_is_born_and_what_goes_is_lost():
 def test_points_of_a_patch_are_told_with_the_force_on_the_first_block_and_the_normal_out_of_it():
     model = standing((0.2, 0.1))
     pushed(model, velocity=(1e-2, 0.0, 0.0))
-    numbers, vectors = np.zeros((2, 8, 2), dtype=np.int64), np.zeros((3, 8, 3))
-    count = point_forces(model.large.near, *numbers, *vectors)
-    place, force, normal = vectors[:, :count]
-    assert count == 4 and (numbers[0, :count] == [0, 1]).all()
+    block, _, place, force, normal = BearingPoints(model.large.near).take(model.large.near)
+    assert len(place) == 4 and (block == [0, 1]).all()
     assert np.unique(np.round(place[:, 0], 6)) == pytest.approx([0.15, 0.25])
     points_of = model.large.near.pairs.points_of[0]
     assert place[:, 2] == pytest.approx(np.full(4, -DEEP * points_of), abs=1e-12), "on the face of their own block"
