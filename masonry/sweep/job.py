@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.jit.sources import ALL, source_hash
-from masonry.laboratory.summary.provenance import SHOWING, file_of_blocks, other_sources
+from masonry.laboratory.summary.provenance import SHOWING, file_of_blocks, files_of_records, other_sources
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,12 @@ class Job:
         digest.update(source_hash(ALL, SHOWING).encode())
         digest.update(other_sources(self.resolved).encode())
         digest.update(file_of_blocks(self.resolved))
+        digest.update(files_of_records(self.resolved))
         return digest.hexdigest()[:20]
 
     def key(self) -> str:
-        """Hash (hex) of the resolved scene, of a file that its blocks come from and of the sources that compute,
-        those of laws of other packages too: the same key means the same result. Raises SceneError.
+        """Hash (hex) of the resolved scene, of files that its blocks and its motion come from and of the sources that
+        compute, those of laws of other packages too: the same key means the same result. Raises SceneError.
         """
         return self._key
 

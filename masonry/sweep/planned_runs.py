@@ -1,8 +1,10 @@
 """The runs of a sweep: each point's values worked out against its scene, and the scene loaded, before anything runs."""
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, nearest, visible
@@ -10,6 +12,9 @@ from masonry.runtime.tables import columns
 from masonry.sweep.job import Job
 from masonry.sweep.points import points, si
 from masonry.sweep.read import Sweep, Times
+
+RECORD = re.compile(r"ground\.(\d+\.)?record")
+"""Keys whose value is a file."""
 
 
 @dataclass(frozen=True)
@@ -86,9 +91,15 @@ class _Base:
                 here = known if value.of in known else tomllib.loads(Job(self.sweep.scene, known).resolved)
                 plain[key] = _scaled(here, key, value.of, value.factor)
         values = {key: plain[key] for key in settings}
-        job = Job(self.sweep.scene, self.fixed | values)
+        job = Job(self.sweep.scene, _beside(self.fixed | values, self.sweep.folder))
         job.key()
         return Planned(job, values, {k: v.factor for k, v in settings.items() if isinstance(v, Times)})
+
+
+def _beside(settings: dict[str, Any], folder: Path) -> dict[str, Any]:
+    """The settings with records of the ground looked for beside the sweep file, where a run elsewhere finds them."""
+    is_path = {key: RECORD.fullmatch(key) is not None and isinstance(value, str) for key, value in settings.items()}
+    return {key: str(folder / value) if is_path[key] else value for key, value in settings.items()}
 
 
 def _scaled(scene: dict[str, Any], key: str, of: str, factor: float) -> Any:

@@ -10,7 +10,8 @@ from masonry.errors import SceneError, nearest
 from masonry.runtime.text_files import text_of, toml_of
 
 PARTS = ("list", "grid", "latin_hypercube")
-WORDS = ("scene", "settings", *PARTS)
+FRAGILITY = "fragility"
+WORDS = ("scene", "settings", *PARTS, FRAGILITY)
 LARGEST = 10_000_000
 """Bytes of a sweep file."""
 
@@ -31,6 +32,7 @@ class Sweep:
     scene     a packaged scene's name, or the path of a file beside the sweep's
     settings  dotted key -> value, the same in all runs
     parts     list, grid and latin_hypercube as they stand in the file; each key once
+    folder    of the file, beside which records are looked for
     raw       the whole file, to tell whether two are the same
     """
 
@@ -39,6 +41,7 @@ class Sweep:
     settings: dict[str, Any]
     parts: dict[str, Any]
     raw: dict[str, Any]
+    folder: Path = Path()
 
     @property
     def keys_by_part(self) -> dict[str, list[str]]:
@@ -75,7 +78,8 @@ def read(path: Path) -> Sweep:
     for part in ("grid", "latin_hypercube"):
         if part in parts and not isinstance(parts[part], dict):
             raise SceneError(f"{name}: {part}: must be a table [{part}] of dotted keys")
-    sweep = Sweep(name, scene if scene in packaged() else path.absolute().parent / scene, settings, parts, raw)
+    folder = path.absolute().parent
+    sweep = Sweep(name, scene if scene in packaged() else folder / scene, settings, parts, raw, folder)
     _each_key_once(sweep)
     return sweep
 

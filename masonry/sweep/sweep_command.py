@@ -6,13 +6,13 @@ file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is d
 
 from collections import Counter
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from masonry.errors import SceneError, visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, Parser, tell
-from masonry.sweep.read import Sweep, read
+from masonry.sweep.read import FRAGILITY, Sweep, read
 from masonry.sweep.sweep_folder import COPY, DOING, folder_for
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
@@ -39,6 +39,7 @@ def main(arguments: list[str] | None = None) -> int:
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
     sweep = read(words.sweep)
+    request = _request(sweep)
     planned = plan(sweep)
     if words.list:
         print(listing(planned))
@@ -51,13 +52,23 @@ def main(arguments: list[str] | None = None) -> int:
     if not words.quiet:
         tell(f"{len(planned)} runs, results in '{folder}'")
     try:
-        return _run(sweep, planned, folder, words)
+        return _run(planned, folder, words, request)
     except KeyboardInterrupt as ended:
         tell(f"masonry: {word_of(ended)}; what is done stays in '{folder}', and the same command continues from there")
         return code_of(ended)
 
 
-def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
+def _request(sweep: Sweep) -> Any:
+    """What [fragility] asks for; None where there is no such table."""
+    from masonry.sweep.fragility.request import read_request
+
+    if FRAGILITY not in sweep.raw:
+        return None
+    varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
+    return read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied)
+
+
+def _run(planned: list[Any], folder: Path, words: Any, request: Any) -> int:
     from geometry.files.atomic import WholeFiles
     from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
@@ -74,9 +85,28 @@ def _run(sweep: Sweep, planned: list[Any], folder: Path, words: Any) -> int:
         rows = run_alone([run.job for run in planned], folder, words.workers, say, words.scheduler)
         draw(folder, words.sweep.stem, planned, rows)
         tables = write_table(folder, table_of(planned, rows))
+        report = _fragility(planned, rows, folder, words, request)
     if not words.quiet:
         counts = Counter(row["status"] for row in rows)
         print(", ".join(f"{count} {status}" for status, count in counts.items()))
         print(verdicts_text(rows) or "no run has a verdict")
-        print("\n".join(visible(f"{folder / name}") for name in (*tables, PICTURE)))
+        for sentence in report.sentences:
+            print(sentence)
+        print("\n".join(visible(f"{folder / name}") for name in (*tables, PICTURE, *report.files)))
     return OK
+
+
+class _FragilityReport(NamedTuple):
+    sentences: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
+
+
+def _fragility(planned: list[Any], rows: list[Any], folder: Path, words: Any, request: Any) -> _FragilityReport:
+    """The fragility of what was run, where it was asked for: its files are in the folder."""
+    if request is None:
+        return _FragilityReport()
+    from masonry.sweep.fragility.fragility import fragility_of
+    from masonry.sweep.fragility.fragility_files import write_fragility
+
+    fragility = fragility_of(request, planned, rows)
+    return _FragilityReport((fragility.sentence,), write_fragility(folder, words.sweep.stem, fragility))

@@ -5,7 +5,7 @@ from typing import Any
 
 from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.lock import LOCK
-from masonry.sweep.read import Sweep, read_toml
+from masonry.sweep.read import FRAGILITY, Sweep, read_toml
 from masonry.sweep.sweep_table import TABLE
 
 COPY = "sweep.toml"
@@ -34,8 +34,8 @@ def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> P
 
 
 def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:
-    """What two sweep files say differently, a few words each; remarks and order are no difference."""
-    a, b = dict(_leaves(there)), dict(_leaves(here))
+    """What two sweep files say differently of their runs, a few words each; remarks and order are no difference."""
+    a, b = (dict(_leaves({key: value for key, value in raw.items() if key != FRAGILITY})) for raw in (there, here))
     return [
         f"{'.'.join(key)} is {_short(a.get(key))} there, {_short(b.get(key))} here"
         for key in dict.fromkeys([*a, *b])

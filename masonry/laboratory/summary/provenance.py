@@ -41,6 +41,19 @@ def file_of_blocks(toml: str) -> bytes:
         return b""
 
 
+def files_of_records(toml: str) -> bytes:
+    """Hash of what stands in the records that shake a scene; nothing where there are none to read."""
+    ground = tomllib.loads(toml).get("ground", ())
+    tables = [ground] if isinstance(ground, dict) else ground
+    hashes = []
+    for path in [table["record"] for table in tables if table.get("record")]:
+        try:
+            hashes.append(hashlib.sha256(Path(path).read_bytes()).digest())
+        except OSError:
+            hashes.append(b"")
+    return b"".join(hashes)
+
+
 def other_sources(toml: str) -> str:
     """Hash of the packages that a scene has laws or its specimen from; nothing where all are ours."""
     scene = tomllib.loads(toml)
@@ -50,9 +63,12 @@ def other_sources(toml: str) -> str:
 
 def provenance_of(toml: str) -> dict[str, str]:
     """What a run of a resolved scene depends on, by a few words each."""
+    records = files_of_records(toml)
+    of_records = {"its records": hashlib.sha256(records).hexdigest()[:16]} if records else {}
     return {
         "its scene": hashlib.sha256(toml.encode()).hexdigest()[:16],
         "its file of blocks": file_of_blocks(toml).hex()[:16] or "none",
+        **of_records,
         "the program": f"masonry {__version__}, sources {source_hash(ALL, SHOWING)}",
         "the packages of its laws and specimen": other_sources(toml) or "none",
         "the packages": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
