@@ -104,6 +104,26 @@ def down_a_slope(findings: Findings, name: str, ground: dict[str, Any], sides: t
     return far
 
 
+def recorded_levels(findings: Findings) -> None:
+    """Of the table of known slips."""
+    for one in LEVELS:
+        if (ground := recorded(one.record)) is not None:
+            name = f"{one.record} {one.peak:g} g, friction {one.friction:g}"
+            slip = level(findings, name, {**ground, "peak": f"{one.peak} g"}, one.friction)
+            for key, value, known in zip(Slip._fields, slip, one.known, strict=True):
+                findings.at_most(f"{name}: slip, {key}, off what is known", "m", abs(value - 0.01 * known), 1e-7, DIGIT)
+
+
+def recorded_slopes(findings: Findings) -> None:
+    """Down a slope."""
+    for name, known in DOWN.items():
+        if (ground := recorded(name)) is not None:
+            slips = down_a_slope(findings, name, {**ground, "peak": "0.4 g"}, (1.0, -1.0))
+            for value, far in zip(slips, known, strict=True):
+                words = f"{name}: slip down a slope, off what is known"
+                findings.at_most(words, "m", abs(value - 0.01 * far), 1e-4, DIGIT)
+
+
 def run() -> Findings:
     """Made records, and recorded ones where they are at hand."""
     findings = Findings()
@@ -111,19 +131,8 @@ def run() -> Findings:
         made = {"made": {**MADE, "seed": seed}, "x": "first"}
         level(findings, f"made by seed {seed}, friction {friction:g}", made, friction)
     down_a_slope(findings, "made by seed 1", {"made": {**MADE, "seed": 1}, "x": "first"}, (1.0,))
-    for one in LEVELS:
-        if (ground := recorded(one.record)) is not None:
-            name = f"{one.record} {one.peak:g} g, friction {one.friction:g}"
-            wanted = level(findings, name, {**ground, "peak": f"{one.peak} g"}, one.friction)
-            for key, value, known in zip(Slip._fields, wanted, one.known, strict=True):
-                findings.at_most(f"{name}: slip, {key}, off what is known", "m", abs(value - 0.01 * known), 1e-7, DIGIT)
-    for name, known in DOWN.items():
-        if (ground := recorded(name)) is not None:
-            wanted = down_a_slope(findings, name, {**ground, "peak": "0.4 g"}, (1.0, -1.0))
-            for value, far in zip(wanted, known, strict=True):
-                findings.at_most(
-                    f"{name}: slip down a slope, off what is known", "m", abs(value - 0.01 * far), 1e-4, DIGIT
-                )
+    recorded_levels(findings)
+    recorded_slopes(findings)
     if any(recorded(name) is None for name in RECORDS):
         findings.remarks.append(f"Recorded motions are left out: no folder of the variable {FOLDER} has them.")
     return findings
