@@ -20,6 +20,8 @@ AZIMUTH, ELEVATION = np.radians(-55.0), np.radians(25.0)
 """From where "iso" looks, as matplotlib counts these angles."""
 FALLS = 0.1
 """Share of the size of a specimen: what moves by more falls."""
+OUT = 4.0
+"""The same: what moves by more, as it has left the floor, is out of the picture, where all else would be a point."""
 
 
 @dataclass(frozen=True)
@@ -94,9 +96,13 @@ def with_less_floor(blocks: Blocks) -> Blocks:
 
 def box_of(camera: Camera, blocks: Blocks, moved: Sequence[np.ndarray], times: float = 1.0) -> np.ndarray:
     """Lowest and highest place (2, 2) that a corner above the floor comes to, with some room round them; corners move
-    by (P, 3) m each, drawn `times` larger."""
+    by (P, 3) m each, drawn `times` larger. Those that are OUT count where they began."""
     own = above_floor(blocks)
-    flat = [camera.project(blocks.points[own] + times * corners[own]) for corners in moved]
+    moves = [times * corners[own] for corners in moved]
+    stays = [np.linalg.norm(move, axis=1, keepdims=True) <= OUT * camera.size for move in moves]
+    flat = [
+        camera.project(blocks.points[own] + np.where(stay, move, 0.0)) for stay, move in zip(stays, moves, strict=True)
+    ]
     low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
     room = 0.03 * float(np.max(high - low))
     return np.array([low - room, high + room])

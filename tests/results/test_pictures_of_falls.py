@@ -9,7 +9,7 @@ from geometry.blocks import Blocks, Specimen
 from geometry.polyhedra.construct import from_boxes
 from masonry.laboratory.result import Result
 from masonry.movies.movie import Movie
-from masonry.pictures.camera import camera_of, front_view, iso_view, usual_view
+from masonry.pictures.camera import OUT, box_of, camera_of, front_view, iso_view, usual_view
 from masonry.pictures.crack_picture import cracks_figure, drawing_of, gallery
 from masonry.pictures.front import FlatDrawing
 from masonry.pictures.large.depth_order import farthest_first, overlaps
@@ -244,3 +244,11 @@ def test_only_results_of_large_displacement_are_drawn_anew_in_every_frame():
     large.scene_toml += LARGE
     assert isinstance(drawing_of(small), FlatDrawing) and isinstance(drawing_of(small, "iso"), SolidDrawing)
     assert all(isinstance(drawing_of(large, view), MovedDrawing) for view in ("front", "back", "side", "iso"))
+
+
+def test_what_has_left_the_floor_and_fell_for_long_does_not_make_a_point_of_the_rest():
+    blocks = boxes([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], (1.0, 1.0, 1.0))
+    camera, stays = camera_of("front", Specimen(blocks)), np.zeros_like(blocks.points)
+    fell = np.where(blocks.points[:, :1] > 1.0, [0.0, 0.0, -1.0], 0.0) * (OUT * camera.size)
+    assert np.ptp(box_of(camera, blocks, [stays, 0.99 * fell]), axis=0)[1] > 4.0 * camera.size
+    assert box_of(camera, blocks, [stays, 1.01 * fell]) == pytest.approx(box_of(camera, blocks, [stays]))
