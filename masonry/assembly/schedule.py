@@ -6,6 +6,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from masonry.assembly.driven_path import path_in_time
 from masonry.errors import SceneError
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing import Control, Growing
@@ -15,7 +16,6 @@ from masonry.loading.programs import followed, passage, program, require_few, ri
 from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.load_history import Timed
-from masonry.scene.tables.loads_and_supports import Drive
 from masonry.timeloop.gauge_columns import UniformGround
 
 AnyPlan = TypeVar("AnyPlan", bound=Program | PacedPlan)
@@ -189,7 +189,7 @@ def _loading(scene: Scene, dt: float) -> Program:
             require_few(settle + count, dt)
             return followed(dt, settle, np.zeros(count), _load_factors(loads, settle, count))
     if loads or (drive is not None and drive.history is not None):
-        return _along_histories(drive, loads, settle, dt)
+        return _along_histories(scene, loads, settle, dt)
     if drive is None:
         return program(dt, settle, 0.0, None, None, 0.0)
     return program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
@@ -200,13 +200,14 @@ def _settle(scene: Scene) -> int:
     return scene.settle.steps if scene.settle else FEWEST * scene.has_dead_loads
 
 
-def _along_histories(drive: Drive | None, loads: list[Timed], settle: int, dt: float) -> Program:
+def _along_histories(scene: Scene, loads: list[Timed], settle: int, dt: float) -> Program:
     """All histories over the same steps: each load's time runs while the drive goes along its whole path."""
+    drive = scene.drive
     if drive is not None and drive.history is None:
         plain = program(dt, settle, drive.sign * drive.farthest, drive.steps, drive.rate, drive.ramp)
         require_two(plain.steps - settle)
         return replace(plain, varying=_load_factors(loads, settle, plain.steps - settle))
-    path = None if drive is None else drive.path
+    path = path_in_time(scene)
     duration = max(history.duration for history in [*loads, *([path] if path else [])]) if loads or path else 0.0
     if drive is not None and drive.steps is not None:
         count = drive.steps

@@ -10,6 +10,7 @@ from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
 from masonry.laboratory.cost import candidates, forecast
+from masonry.laboratory.moved_text import moved_lines
 from masonry.laboratory.quality import cells_text, quality_lines
 from masonry.laboratory.remarks.checks.unit_weight_densities import unit_weights
 from masonry.laboratory.remarks.inspection import Inspection
@@ -122,6 +123,7 @@ def check(scene: Scene) -> "Report":
         masses=added_masses(assembly),
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),
+        moved=moved_lines(assembly),
         steps=run.steps[0],
         steps_between=run.steps[1:],
         expected_seconds=run.seconds[0],

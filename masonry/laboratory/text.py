@@ -47,6 +47,7 @@ class Report(Record):
     masses: list[str]
     settling: str
     meeting: str
+    moved: list[str]
     steps: int
     steps_between: tuple[int, int]
     expected_seconds: float
@@ -83,6 +84,7 @@ def check_rows(report: Report) -> Rows:
         *([("masses", report.masses)] if report.masses else []),
         *([("settling", [report.settling])] if report.settling else []),
         *([("may meet", [report.meeting])] if report.meeting else []),
+        *([("moved", report.moved)] if report.moved else []),
         ("steps", [_steps_text(report)]),
         ("expected time", [_seconds_text(report)]),
         ("compiled in", report.compiled or ["nothing beyond contacts"]),

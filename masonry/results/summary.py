@@ -300,6 +300,14 @@ class Shaking(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class MovedDrive(Record):
+    """The largest velocity and acceleration of a drive in real time, from step to step."""
+
+    peak_velocity_m_s: float = 0.0
+    peak_acceleration_m_s2: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
 class Movements(Record):
     """How far blocks moved, what they met, and what fell."""
 
@@ -311,6 +319,7 @@ class Movements(Record):
     collapse: FirstFall | None = one_of(FirstFall)
     collapse_load: CollapseLoad | None = one_of(CollapseLoad)
     shaking: Shaking | None = one_of(Shaking)
+    drive: MovedDrive | None = one_of(MovedDrive)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,8 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.laboratory.summary.shaking import shaking
+from masonry.laboratory.summary.moved_drive import moved_drive
+from masonry.laboratory.summary.shaken_specimen import shaking
 from masonry.model.damping import swing_of
 from masonry.monitors.shaking_watch import BY_GROUND
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
@@ -33,6 +34,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
         collapse=_collapse(assembly, outcome) if large else None,
         collapse_load=None if grown is None else CollapseLoad.read(grown),
         shaking=shaking(assembly, outcome),
+        drive=moved_drive(assembly),
     )
 
 

@@ -32,7 +32,7 @@ WHY = "where the slip turns, the joint gives back what it held: mu g times its p
 DIGIT = "the last digit that is printed"
 
 
-class Level(NamedTuple):
+class LevelSlip(NamedTuple):
     """A record on a level table: largest acceleration over g, friction, and slips at the end, least and most (cm)."""
 
     record: str
@@ -42,11 +42,11 @@ class Level(NamedTuple):
 
 
 LEVELS = (
-    Level("Kobe", 0.4, 0.1, (5.27555, -11.90720, 15.95440)),
-    Level("Kobe", 0.5, 0.05, (27.65271, -33.87431, 29.74853)),
-    Level("Kobe", 0.4, 0.2, (-6.19640, -7.74997, 0.25706)),
-    Level("Imperial Valley", 0.4, 0.1, (-3.27638, -3.69671, 2.24453)),
-    Level("Imperial Valley", 0.5, 0.05, (1.38755, -2.82523, 8.71700)),
+    LevelSlip("Kobe", 0.4, 0.1, (5.27555, -11.90720, 15.95440)),
+    LevelSlip("Kobe", 0.5, 0.05, (27.65271, -33.87431, 29.74853)),
+    LevelSlip("Kobe", 0.4, 0.2, (-6.19640, -7.74997, 0.25706)),
+    LevelSlip("Imperial Valley", 0.4, 0.1, (-3.27638, -3.69671, 2.24453)),
+    LevelSlip("Imperial Valley", 0.5, 0.05, (1.38755, -2.82523, 8.71700)),
 )
 DOWN = {"Imperial Valley": (8.849, 11.647), "Kobe": (62.90, 72.46)}
 """cm, one way down, of the record towards +x and of its mirror."""
