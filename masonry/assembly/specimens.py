@@ -23,6 +23,7 @@ from geometry.structures.column import column
 from geometry.structures.dome import dome
 from geometry.structures.multi_leaf import multi_leaf
 from geometry.structures.openings import Opening
+from geometry.structures.tower import tower
 from geometry.structures.vault import vault
 from geometry.structures.wall import wall
 from masonry.errors import SceneError
@@ -36,6 +37,7 @@ STRUCTURES: dict[str, Callable[..., Specimen]] = {
     "vault": vault,
     "dome": dome,
     "column": column,
+    "tower": tower,
     "wall": wall,
     "multi-leaf": multi_leaf,
 }

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 TOP, SMALL = 1e-6, 1e-3
 """Of the specimen's height: what lies so near to the highest point is its top. Of the largest movement of the top along
 an axis: smaller ones along the other axes are not drawn."""
+SETTLED_TIME = "time after the settling [s]"
 MOST = 5
 """Supports whose reactions are written out."""
 COLOURS = ("#1f3b5c", "#e07b00", "#2f7d5b", "#8856a7")
@@ -61,6 +62,8 @@ def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], st
     if tilts and result.summary.collapse is None:  # a fall takes no tilt, but time
         sign, label = tilt_axis(rows)
         return lambda steps: sign * np.degrees(np.interp(steps, rows["step"], rows[TILT])), label
+    if result.is_shaken:
+        return lambda steps: np.interp(steps, rows["step"], rows["time"]) - result.time_origin, SETTLED_TIME
     if result.in_real_time:
         return lambda steps: np.interp(steps, rows["step"], rows["time"]), "time from the first step [s]"
     return lambda steps: steps, "step"

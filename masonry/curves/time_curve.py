@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
-from masonry.curves.settling_curve import COLOURS, movements
+from masonry.curves.settling_curve import COLOURS, SETTLED_TIME, movements
 from masonry.pictures.style import heading, plain, tidy
 from masonry.rows.columns import GRAVITY, gauges_of
 
@@ -31,11 +31,12 @@ class TimeLine(NamedTuple):
 
 
 def is_over_time(result: "ResultData") -> bool:
-    """Whether a result is drawn over the time: the scene says so, or it has gauges of velocities or accelerations."""
+    """Whether a result is drawn over the time: the scene says so, the ground moves, or it has gauges of velocities or
+    accelerations."""
     table = result.scene_table
     curve = table.get("curve", {})
     told = isinstance(curve, dict) and curve.get("x") == "time" and (not result.has_drive or bool(drawn_gauges(result)))
-    return told or (not result.has_drive and bool(result.history.units))
+    return told or (not result.has_drive and (result.is_shaken or bool(result.history.units)))
 
 
 def drawn_gauges(result: "ResultData") -> tuple[str, ...]:
@@ -64,7 +65,7 @@ def since(result: "ResultData", steps: np.ndarray) -> np.ndarray:
 
 def time_label(result: "ResultData") -> str:
     """Of the axis of `since`."""
-    return "time after the settling [s]" if result.scene_table.get("settle") else "time [s]"
+    return SETTLED_TIME if result.scene_table.get("settle") else "time [s]"
 
 
 def time_figure(result: "ResultData") -> Any:

@@ -103,6 +103,17 @@ class ResultData:
         return bool(self.summary.in_real_time)
 
     @property
+    def is_shaken(self) -> bool:
+        """Whether the ground moves."""
+        return self.summary.shaking is not None
+
+    @property
+    def time_origin(self) -> float:
+        """s, of the first step: from when pictures and words count the time. Where the ground moves that is the end of
+        the settling."""
+        return 0.0 if self.summary.shaking is None else self.summary.shaking.settled_s
+
+    @property
     def curve(self) -> "DataFrame":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
         gauges, energies. A table of pandas; without pandas a SceneError, and `history.rows` has the same columns.

@@ -31,8 +31,9 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     """The frame nearest to what is asked.
 
     step  "peak", "lowest" (the lowest stress, of a drive that turns back), "last", "first", a number of a step, a
-          displacement of the drive: text with a unit ("0.05 mm"), or a float in m; or, of a run in real time, a time
-          from the first step: text with a unit ("1.2 s"). Of several frames at a displacement the first is meant.
+          displacement of the drive: text with a unit ("0.05 mm"), or a float in m; or, of a run in real time, a time:
+          text with a unit ("1.2 s"), from the first step, or from the end of the settling where the ground moves.
+          Of several frames at a displacement the first is meant.
 
     Raises SceneError for other words, where there are no frames, for "lowest" where no stress was below zero, for a
     displacement where nothing is driven, and for a time where the run is not one in real time.
@@ -66,8 +67,8 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
 
 
 def moment(result: "ResultData", frame: Frame) -> str:
-    """When a frame was taken, in words: the time from the first step in a run in real time, else the step."""
-    return f"after {frame.time:.4g} s" if result.in_real_time else f"step {frame.step}"
+    """When a frame was taken, in words: the time in a run in real time, else the step."""
+    return f"after {frame.time - result.time_origin:.4g} s" if result.in_real_time else f"step {frame.step}"
 
 
 def at_peak(result: "ResultData") -> Frame:
@@ -118,7 +119,7 @@ def _measure(step: str | int | float, result: "ResultData") -> tuple[float, np.n
     if (time := _quantity(text, "time")) is not None:
         if not result.in_real_time:
             raise SceneError(f"step '{text}': this run is not in real time, so it has no times; {_allowed(result)}")
-        return time, np.array([frame.time for frame in frames]), 1e-3 * abs(time)
+        return time, np.array([frame.time for frame in frames]) - result.time_origin, 1e-3 * abs(time)
     at = step if isinstance(step, float) and math.isfinite(step) else _quantity(text, "length")
     if at is None:
         raise SceneError(f"step '{text}': {_allowed(result)}{did_you_mean(text, WORDS)}")

@@ -25,13 +25,17 @@ STEPS = {
     "couplet-meso-medium": 22173,
     "couplet-slid-off": 889665,
     "dome-own-weight": 20000,
+    "facade-shaken": 1427772,
     "facade-tilted": 1491761,
     "rubble-pile": 1052880,
     "shear-wall": 102386,
+    "tower-shaken": 555555,
     "triplet-dry": 2351,
     "vault-spreading": 53569,
     "wall-out-of-plane": 2188791,
+    "wall-out-of-plane-shaken": 1014029,
     "wall-pushed-over": 634032,
+    "wall-shaken": 440012,
     "wall-three-leaf": 15000,
     "wall-three-leaf-out-of-plane": 27000,
     "wall-tilted": 81100,
@@ -48,7 +52,7 @@ STEPS = {
     "wallette-mode-2-540": 21573,
 }
 """Of runs of the scenes that are shipped. `python -m verification.studies.forecasts` makes them, and times them too."""
-LARGE = ("wall-three-leaf", "wall-three-leaf-out-of-plane", "dome-own-weight", "rubble-pile")
+LARGE = ("wall-three-leaf", "wall-three-leaf-out-of-plane", "dome-own-weight", "rubble-pile", "tower-shaken")
 
 
 def test_all_scenes_that_are_shipped_are_measured():

@@ -10,7 +10,7 @@ from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.scene import load, packaged
 
-LARGE = [name for name in packaged() if load(name).is_large]
+LARGE = [name for name in packaged() if load(name).is_large and not load(name).ground]
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,15 @@ from pydantic import AfterValidator, Field, model_validator
 
 from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.specimens.structures import ArchSpec, ColumnSpec, DomeSpec, MultiLeafSpec, VaultSpec, WallSpec
+from masonry.scene.tables.specimens.structures import (
+    ArchSpec,
+    ColumnSpec,
+    DomeSpec,
+    MultiLeafSpec,
+    TowerSpec,
+    VaultSpec,
+    WallSpec,
+)
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
 
 
@@ -127,6 +135,7 @@ Specimen = Annotated[
     | VaultSpec
     | DomeSpec
     | ColumnSpec
+    | TowerSpec
     | WallSpec
     | MultiLeafSpec
     | BoxesSpec

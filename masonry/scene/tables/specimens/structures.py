@@ -124,6 +124,31 @@ class ColumnSpec(Structure):
         return self.drums + 1, 0.8 * self.diameter**2 * self.height, self.diameter
 
 
+class TowerSpec(Structure):
+    """Four walls round a square, on a base."""
+
+    kind: Literal["tower"]
+    width: Length
+    thickness: Length
+    courses: Annotated[int, Given("integer", "[1, 10000]")]
+    unit_length: Length
+    unit_height: Length
+    base: Length | None = None
+
+    @model_validator(mode="after")
+    def _is_hollow(self) -> "TowerSpec":
+        if self.width <= 2.0 * self.thickness:
+            raise KeyedError("width", f"must be more than two walls, {2.0 * self.thickness:g} m")
+        return self
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        around = 4.0 * (self.width - self.thickness)
+        units = self.courses * (around / self.unit_length + 2)
+        return units, around * self.thickness * self.courses * self.unit_height, self.width
+
+
 class CoreCells(CellsTable):
     """Cells of the core of a wall, in space."""
 
