@@ -7,6 +7,7 @@ from geometry.blocks import GeometryError
 from geometry.joints.find import find_joints
 from geometry.polyhedra.measures import bounds
 from geometry.structures.tower import tower
+from tests.geometry.structures.drawing import area_across, require_sound
 
 
 def test_the_walls_are_filled_and_lie_on_each_other_over_their_whole_section():
