@@ -10,6 +10,7 @@ from geometry.blocks import Blocks
 from masonry.errors import SceneError
 from masonry.laws import factory
 from masonry.model.contact_groups import contact_group_name
+from masonry.model.damping import swing_of
 from masonry.model.large.meeting import Meetings
 from masonry.patches.arrays import Rules
 from masonry.scene import Scene
@@ -65,10 +66,11 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
         cohesion = joint.residual_cohesion or 0.0
         shear = joint.shear_stiffness or joint.normal_stiffness  # 0 of a roller, of which friction 0 makes one as well
         numbers.append((joint.normal_stiffness, shear, friction or 0.0, dashpot, cohesion))
-    kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, len(Rules._fields)).T.copy()
+    kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, 5).T.copy()
     rules = Rules(kn, ks, tan, damping, left if left.any() else None)
-    skin = scene.solver.skin
-    return Meetings(rules, pairs.number, SKIN if skin is None else skin, scene.specimen.patch_points == "spread")
+    skin, branches = scene.solver.skin, swing_of(scene.damping).branch_count
+    spread = scene.specimen.patch_points == "spread"
+    return Meetings(rules, pairs.number, SKIN if skin is None else skin, spread, branches)
 
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:

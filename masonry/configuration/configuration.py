@@ -38,6 +38,9 @@ class Configuration(Protocol):
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         """The parts of a step; `shared` as of kinematics/shared.py."""
 
+    def let_patches_fade(self, acts: bool) -> None:
+        """Let act what damps beside the springs of patches, or not."""
+
     def after_row(self) -> None:
         """What changes between rows: bonds that have nothing left retire."""
 

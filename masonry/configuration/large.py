@@ -11,6 +11,7 @@ from masonry.configuration.contacts import (
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
+    taken_by_dashpots,
 )
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
@@ -52,7 +53,7 @@ class LargeDisplacement:
         model, large, done = self.model, self.parts, 0
         while done < steps or steps == 0:
             made_of = model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies, large.near
-            self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+            self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of, model.acting)
             begin_at(model.moved_supports, chunk, first + done)
             done += self.stepper.take(first + done, steps - done, chunk.dead_load, chunk.speed, drive_force[done:])
             if done == steps:
@@ -64,7 +65,7 @@ class LargeDisplacement:
         groups, contacts, bodies, drives = model.step_arguments()
         calls = step(
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
-            *(large.near, large.members, shared),
+            *(large.near, large.members, shared, model.acting),
         )
         calls = calls.followed_by(shaking(model.moved_supports, bodies))
         calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self.bearing.of(large.near)]
@@ -75,6 +76,11 @@ class LargeDisplacement:
 
     def _overlap(self, width: np.ndarray) -> Call:
         return self.overlap.of(self.parts.near, width, self.deepest_overlap, self.deepest_pair)
+
+    def let_patches_fade(self, acts: bool) -> None:
+        dashpots, rules = self.model.dashpots, self.parts.near.rules
+        if dashpots is not None and rules.keep is not None and rules.gain is not None:
+            rules.keep[:], rules.gain[:] = (acts * numbers for numbers in (dashpots.keep, dashpots.gain))
 
     def after_row(self) -> None:
         retire(self.model, self.parts)
@@ -108,7 +114,7 @@ class LargeDisplacement:
         account = self.parts.near.account
         return {
             "rotor": float(works[3]) - elastic_blocks,
-            "dashpot": float(account[DASHPOT]),
+            "dashpot": float(account[DASHPOT]) + taken_by_dashpots(self.model),
             "redetection": float(account[SHEAR_LOST]),
             "area": -float(account[NORMAL_GAINED] + account[BORN]),
         }

@@ -6,7 +6,7 @@ from masonry.detection.broad import cells_for
 from masonry.errors import Stopped
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
-from masonry.patches.arrays import NEED_PAIRS, PAIR, REASON, ROOM, TOO_DEEP, Near, no_points
+from masonry.patches.arrays import NEED_PAIRS, PAIR, REASON, ROOM, TOO_DEEP, Near, PatchPoints, no_points
 from masonry.patches.pairs import PatchPairs, copy_pairs, no_pairs
 
 
@@ -37,7 +37,7 @@ def make_room_for(large: Large, saved: dict[str, np.ndarray]) -> None:
     if pairs != len(near.pairs.slot):
         near = _holding(near, no_pairs(pairs))
     if points != len(near.points.number):
-        near = near._replace(points=no_points(points, near.points.feature.shape[1]))
+        near = near._replace(points=no_points_like(near, points))
     large.near = near
 
 
@@ -60,12 +60,19 @@ def _holding(near: Near, pairs: PatchPairs) -> Near:
     )
 
 
+def no_points_like(near: Near, room: int) -> PatchPoints:
+    """Room for the points of so many pairs that hold as much as those that there are."""
+    keep = near.rules.keep
+    return no_points(room, near.points.feature.shape[1], 0 if keep is None else len(keep))
+
+
 def _with_points(near: Near, room: int) -> Near:
     """All slots that there were are taken, or are filled later."""
-    had, most = near.points.feature.shape
-    points = no_points(room, most)
+    had = len(near.points.feature)
+    points = no_points_like(near, room)
     for old, new in zip(near.points[:-1], points[:-1], strict=True):
-        new[:had] = old
+        if old is not None and new is not None:
+            new[:had] = old
     points.free[: room - had] = np.arange(had, room)[::-1]
     points.free[-1] = room - had
     return near._replace(points=points)

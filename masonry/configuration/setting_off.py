@@ -3,8 +3,10 @@ are struck, and the work is booked."""
 
 import numpy as np
 
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
+from masonry.patches.branches import NO_DASHPOTS
 
 
 def phases(model: Model) -> tuple[bool, ...]:
@@ -14,8 +16,20 @@ def phases(model: Model) -> tuple[bool, ...]:
 
 def damp(model: Model, settled: bool) -> None:
     """Let act what damps before the end of the settling, or from then on."""
-    if model.phases is not None:
-        model.damping = model.phases.swinging if settled else model.phases.settling
+    if model.phases is None:
+        return
+    model.damping = model.phases.swinging if settled else model.phases.settling
+    if model.dashpots is None:
+        return
+    model.acting = model.dashpots if settled else NO_DASHPOTS
+    configuration_of(model).let_patches_fade(settled)
+
+
+def begin_dashpots(model: Model) -> None:
+    """The sides of contacts stand where they are as dashpots begin to act."""
+    if model.dashpots is not None:
+        sides, u = model.contacts.sides, model.contacts.u
+        model.dashpots.before[...] = u[sides[:, 1]] - u[sides[:, 0]]
 
 
 def begin(model: Model, load_factors: np.ndarray | None, loaded: bool) -> None:
@@ -42,6 +56,7 @@ def set_off(model: Model, before: list[np.ndarray]) -> None:
     before  velocities one step earlier, in the order of the bodies that there are
     """
     damp(model, settled=True)
+    begin_dashpots(model)
     _strike(model, model.motion or {}, before)
 
 

@@ -11,6 +11,7 @@ from masonry.configuration.contacts import (
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
+    taken_by_dashpots,
 )
 from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
@@ -19,6 +20,7 @@ from masonry.kernels.driver import Stepper
 from masonry.kernels.shaking import shaking
 from masonry.kernels.step import step
 from masonry.model.model import Model
+from masonry.rows.columns import DASHPOT
 
 LEAP = 1e-2
 """A dof that moves by more than this share of the smallest block in one step is not a motion but an instability."""
@@ -28,22 +30,34 @@ class SmallDisplacement:
     """What configuration.py asks, of small displacement."""
 
     any_size, leap, skin = False, LEAP, inf
-    columns: tuple[str, ...] = ()
 
     def __init__(self, model: Model) -> None:
         self.model, self.stepper = model, Stepper()
+        self.columns: tuple[str, ...] = () if model.dashpots is None else (DASHPOT,)
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         model = self.model
-        made_of = threads, model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies
+        made_of = (
+            threads,
+            model.dt,
+            model.damping,
+            model.swept,
+            model.groups,
+            model.contacts,
+            model.bodies,
+            model.acting,
+        )
         self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
         begin_at(model.moved_supports, chunk, first)
         self.stepper.take(first, steps, chunk.dead_load, chunk.speed, drive_force)
 
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
-        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared)
+        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting)
         return calls.followed_by(shaking(model.moved_supports, model.bodies))
+
+    def let_patches_fade(self, acts: bool) -> None:
+        pass
 
     def after_row(self) -> None:
         pass
@@ -55,7 +69,7 @@ class SmallDisplacement:
         return 0.0
 
     def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
-        return {}
+        return {} if self.model.dashpots is None else {DASHPOT: taken_by_dashpots(self.model)}
 
     def joint_forces(self) -> np.ndarray:
         return np.array(self.model.contacts.force)

@@ -52,6 +52,14 @@ class WrittenOfBonds(NamedTuple):
     runs: np.ndarray
 
 
+class WrittenOfDashpots(NamedTuple):
+    """Of Dashpots."""
+
+    before: np.ndarray
+    stress: np.ndarray
+    taken: np.ndarray
+
+
 class WrittenOfSearch(NamedTuple):
     """Of Search."""
 
@@ -71,6 +79,8 @@ def written_arrays(model: Model) -> Arrays:
     for kind, body in zip(model.layout.members, model.bodies, strict=True):
         if body is not None:
             arrays |= _fields(kind, WrittenOfBodies, body)
+    if model.dashpots is not None:
+        arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
     for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in arrays.values()}
         arrays |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
@@ -85,7 +95,7 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     if large.members is not None:
         arrays |= _fields("motion", WrittenOfMotion, near.motion) | {"rotations": large.bonds.frames}
     arrays |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}
-    return arrays | {f"points.{name}": array for name, array in near.points._asdict().items()}
+    return arrays | {f"points.{name}": array for name, array in near.points._asdict().items() if array is not None}
 
 
 def _fields(name: str, written: Any, arrays: Any) -> dict[str, np.ndarray | None]:

@@ -10,7 +10,21 @@ from masonry.laws.cone import acted, slip_of
 from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
-from masonry.simd import any_lane, below, gather, local, or_zero, put_rows, put_where, take, unless, width_of
+from masonry.patches.branches import of_bond, pull_left, stiffness_now
+from masonry.simd import (
+    any_lane,
+    below,
+    filled,
+    gather,
+    local,
+    or_zero,
+    put_rows,
+    put_where,
+    take,
+    unless,
+    where,
+    width_of,
+)
 
 
 @register_jitable
@@ -24,6 +38,7 @@ def apart(a, b, n):
 def _sweep(
     like, parameters, joint, first, last, sides, normal, area, u, force,
     opening_max, intact_n, intact_s, secant, slip, dissipated, dilation, permanent_opening, plastic_slip,
+    keep, gain, before, stress, taken,
 ):  # fmt: skip
     """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
 
@@ -31,6 +46,7 @@ def _sweep(
     left alone; its force is written, and written again by the group that it belongs to.
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
     Numbers of `parameters` and `joint` that are arrays hold one number for each contact of the group, from 0 on.
+    keep, gain, before, stress, taken: of Dashpots, None without any. Friction follows the stress of the springs.
     """
     ks, width = joint.shear_stiffness, width_of(like)
     flexibility = 1.0 / ks
@@ -51,10 +67,11 @@ def _sweep(
         )  # fmt: skip
         parameters_c, joint_c = local(parameters, c - first, like), local(joint, c - first, like)
         sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
+        stays = filled(1.0, opening)
         if any_lane(unless(own, unchanged)):
             total = sqrt(sx * sx + sy * sy + sz * sz)
-            before = acted(dilation, c, like, force, (nx, ny, nz), area)
-            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared), before)
+            acts = acted(dilation, c, like, force, (nx, ny, nz), area)
+            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared), acts)
             put_where(own, opening_max, c, update.history.opening_max)
             put_where(own, intact_n, c, update.history.intact_n)
             put_where(own, intact_s, c, update.history.intact_s)
@@ -66,11 +83,20 @@ def _sweep(
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
             sigma, fraction = update.sigma, update.fraction
+            stays = filled(fraction, opening)
             left = slip_of(update, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)
             tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
+        if stress is not None:
+            stiff = stiffness_now(joint_c.normal_stiffness, sigma, opening)
+            stuck = where((stiff > 0.0) & (stays == 1.0), ks * (stiff / joint_c.normal_stiffness), 0.0)
+            room = pull_left(joint_c.tensile_strength, take(intact_n, c, like), sigma)
+            parted = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+            q, work = of_bond(own, keep, gain, before, stress, c, parted, (nx, ny, nz), stiff, stuck, room)
+            put_where(own, taken, c, take(taken, c, like) + work)
+            tx, ty, tz = tx + q[0], ty + q[1], tz + q[2]
         size = take(area, c, like)
         put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 
@@ -79,7 +105,9 @@ _sweep_serial, _sweep_parallel = inner(_sweep), inner_parallel(_sweep)
 
 
 @inner
-def sweep(parallel, parameters, joint, state, first, last, sides, normal, area, u, force):
+def sweep(
+    parallel, parameters, joint, state, first, last, sides, normal, area, u, force, keep, gain, before, stress, taken
+):
     """One contact group, as many contacts at a time as its law allows.
 
     `parallel` is None or True, and only the version that is used gets compiled.
@@ -89,13 +117,13 @@ def sweep(parallel, parameters, joint, state, first, last, sides, normal, area, 
         _sweep_serial(
             like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
-            state.plastic_slip,
+            state.plastic_slip, keep, gain, before, stress, taken,
         )  # fmt: skip
     else:
         _sweep_parallel(
             like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
-            state.plastic_slip,
+            state.plastic_slip, keep, gain, before, stress, taken,
         )  # fmt: skip
 
 

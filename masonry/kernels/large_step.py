@@ -17,6 +17,7 @@ from masonry.kernels.gathering import Members
 from masonry.kernels.step import displacing, driving, kicking, sweeping
 from masonry.kinematics.shared import SPARE, TRAVEL
 from masonry.patches.arrays import Near
+from masonry.patches.branches import NO_DASHPOTS, Dashpots
 from masonry.patches.press import press
 from masonry.patches.press_deforming import press_deforming
 from masonry.patches.refreshing import count_travel, looking
@@ -24,7 +25,7 @@ from masonry.patches.refreshing import count_travel, looking
 
 def step(
     dt: float, damping: Any, groups: tuple, contacts: tuple, bonds: Bonds, bodies: Sequence[Any],
-    drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray,
+    drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS,
 ) -> StepCalls:  # fmt: skip
     """The step of large displacement, for `driver.drive`: it ends where room runs out.
 
@@ -33,7 +34,7 @@ def step(
     members  where some blocks deform, else None
     """
     *_, local, force = contacts
-    motion, sweeps = near.motion, sweeping(None, groups, contacts)
+    motion, sweeps = near.motion, sweeping(None, groups, contacts, dashpots)
     kicks = [*kicking(None, bodies, dt, damping, shared, bonds.force, bonds.u), *driving(bodies, drives, shared)]
     moves, some_bonds = displacing(None, bodies, dt, bonds.u), len(bonds.runs) > 0
     begins = [_travel.of(motion, dt, shared)]

@@ -14,22 +14,24 @@ from masonry.jit.records import unpack
 from masonry.kernels import contact
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.shared import DRIVE_FORCE, FACTOR, FACTOR_BEFORE, SPEED, SPEED_BEFORE
+from masonry.patches.branches import NO_DASHPOTS, Dashpots
 
 
 def step(
     parallel: bool | None, dt: float, damping: Any, groups: tuple, contacts: tuple, bodies: Sequence[Any],
-    drives: Sequence[Any], shared: np.ndarray,
+    drives: Sequence[Any], shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS,
 ) -> StepCalls:  # fmt: skip
     """The step of small displacement, for `driver.drive`.
 
     parallel  True for the versions with threads, else None
-    damping   None, a number (xi of eq. 3) or Guided
+    damping   None, a number (xi of eq. 3), Guided or Dragged
     groups    (parameters, joints, states, ranges), one entry per contact group; ranges (2 G,) its first contact and
               the one behind its last
     contacts  (sides, normal, area, u, force)
     bodies    (rigid, affine, tets), None where absent
     drives    (K, 2) row and number of the dofs that the drive moves, one array per kind of bodies or None
     shared    what parts share, of kinematics/shared.py
+    dashpots  in closed contacts
     """
     *_, u, force = contacts
     return StepCalls(
@@ -38,7 +40,7 @@ def step(
         [],
         [
             *displacing(parallel, bodies, dt, u),
-            *sweeping(parallel, groups, contacts),
+            *sweeping(parallel, groups, contacts, dashpots),
             *kicking(parallel, bodies, dt, damping, shared, force, u),
             *driving(bodies, drives, shared),
         ],
@@ -51,11 +53,11 @@ def displacing(parallel: bool | None, bodies: Sequence[Any], dt: float, u: np.nd
     return [_displace.of(parallel, body, dt, u) for body in moved]
 
 
-def sweeping(parallel: bool | None, groups: tuple, contacts: tuple) -> list[Call]:
+def sweeping(parallel: bool | None, groups: tuple, contacts: tuple, dashpots: Dashpots) -> list[Call]:
     """Forces of every contact group by its own law."""
     parameters, joints, states, ranges = groups
     numbers = zip(parameters, joints, states, ranges[::2], ranges[1::2], strict=True)
-    return [_sweep.of(parallel, *of_group, *contacts) for of_group in numbers]
+    return [_sweep.of(parallel, *of_group, *contacts, *dashpots) for of_group in numbers]
 
 
 def kicking(
@@ -80,8 +82,12 @@ def _displace(record):
 
 @CompiledPart
 def _sweep(record):
-    parallel, parameters, joint, state, first, last, sides, normal, area, u, force = unpack(record)
-    contact.sweep(parallel, parameters, joint, state, first, last, sides, normal, area, u, force)
+    parallel, parameters, joint, state, first, last, sides, normal, area, u, force, k, g, before, m, taken = unpack(
+        record
+    )
+    contact.sweep(
+        parallel, parameters, joint, state, first, last, sides, normal, area, u, force, k, g, before, m, taken
+    )
 
 
 @CompiledPart

@@ -36,6 +36,9 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int, str], None]
 
+FREQUENCIES = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+"""Hz, at which `check` tells the damping ratio."""
+
 
 def run(
     scene: Scene, threads: int = 1, progress: Progress | None = None, checkpointer: Checkpointer | None = None
@@ -124,6 +127,7 @@ def check(scene: Scene) -> "Report":
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),
         moved=moved_lines(assembly),
+        ratios=ratio_lines(scene),
         steps=run.steps[0],
         steps_between=run.steps[1:],
         expected_seconds=run.seconds[0],
@@ -151,6 +155,15 @@ def settling_text(assembly: Assembly) -> str:
         f"until less than {SETTLED.force:g} of the dead loads is unbalanced and nothing moves: how many steps this "
         f"takes is found as the run begins; {assembly.plan.settle} are counted here"
     )
+
+
+def ratio_lines(scene: Scene) -> list[str]:
+    """The damping ratio of a swing over its frequency, once dead loads have settled; nothing where a scene says nothing
+    of it."""
+    if scene.damping is None:
+        return []
+    swing = swing_of(scene.damping)
+    return [f"{frequency:>5g} Hz  {100 * swing.ratio_at(frequency):.3g} %" for frequency in FREQUENCIES]
 
 
 def meeting_text(assembly: Assembly) -> str:

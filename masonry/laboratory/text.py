@@ -48,6 +48,7 @@ class Report(Record):
     settling: str
     meeting: str
     moved: list[str]
+    ratios: list[str]
     steps: int
     steps_between: tuple[int, int]
     expected_seconds: float
@@ -85,6 +86,7 @@ def check_rows(report: Report) -> Rows:
         *([("settling", [report.settling])] if report.settling else []),
         *([("may meet", [report.meeting])] if report.meeting else []),
         *([("moved", report.moved)] if report.moved else []),
+        *([("damping ratio", report.ratios)] if report.ratios else []),
         ("steps", [_steps_text(report)]),
         ("expected time", [_seconds_text(report)]),
         ("compiled in", report.compiled or ["nothing beyond contacts"]),

@@ -1,7 +1,7 @@
 """Blocks + properties -> the flat arrays that the step runs on. Owns dtype (float64) and units (SI)."""
 
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -23,21 +23,19 @@ from masonry.model.body_arrays import (
 from masonry.model.contact_groups import contact_groups
 from masonry.model.damping import Damping, Phases, Swing, damping_in_steps, expects_motion, local_damping
 from masonry.model.kinds import dof_words
-from masonry.model.large.block_motion import masses_behind
 from masonry.model.large.meeting import (
     Large,
     Meetings,
-    add_row_sums,
     bonds_of,
-    face_row_sums,
     near_of,
     pushed,
     without_sides,
 )
-from masonry.model.large.row_sums import with_dashpots
 from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
+from masonry.model.phase_sums import Outline, PhaseSums, Stiffness, sums_of_phases
 from masonry.model.step_cost import StepCost, step_cost
+from masonry.patches.branches import NO_DASHPOTS, Dashpots, dashpots_of
 from masonry.simd.rows import aligned
 
 
@@ -54,14 +52,6 @@ class Stepping:
     swing: Swing | None = None
 
 
-class Stiffness(NamedTuple):
-    """Of the contacts, (C,) N/m times their areas, dilation included, and Lame constants of the blocks (B, 2), Pa."""
-
-    normal: np.ndarray
-    shear: np.ndarray
-    lame: np.ndarray
-
-
 @dataclass
 class Model:
     """All that a step reads and writes. See kernels/step.py for the meaning of groups, contacts, bodies, drives.
@@ -71,6 +61,7 @@ class Model:
     alive  (C,) which contacts hold; patches take the place of those that do not
     large  what there is besides in large displacement; configuration/configuration.py asks whether there is
     damping  of bodies, now; phases: before and after the end of the settling, None where it stays
+    dashpots  in closed contacts from then on, None without any; acting: those that act now
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     """
 
@@ -100,6 +91,8 @@ class Model:
     motion: dict[str, np.ndarray] | None = None
     phases: Phases | None = None
     moved_supports: MovedSupports | None = None
+    dashpots: Dashpots | None = None
+    acting: Dashpots = NO_DASHPOTS
     parts: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
@@ -162,9 +155,11 @@ def build(
     if density is None:
         density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
     real = real_masses(layout, density)
-    sums = _row_sums(blocks, joints, layout, sides, length, stiffness, meetings)
-    if meetings is not None:
-        stepping, sums = _bounded(blocks, layout, length, sums, real, stepping, meetings)
+    outline, phases = (
+        Outline(layout, sides, length, joints.normal),
+        (local_damping(stepping.damping), stepping.swing),
+    )
+    sums = sums_of_phases(blocks, outline, stiffness, real, phases, meetings)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, stiffness.normal)
     side_rows = rows_of_sides(layout, sides)
     u = in_rows(np.zeros((side_rows.total, 3)))
@@ -189,7 +184,7 @@ def build(
         dt=dt,
         bound=bound,
         limited_by=limited_by,
-        cost=step_cost(layout, sums, real, free, stepping.masses == "scaled"),
+        cost=step_cost(layout, sums.settling, real, free, stepping.masses == "scaled"),
         u=u,
         swept=tuple(range(len(names))),
         alive=np.ones(len(group), dtype=bool),
@@ -198,6 +193,7 @@ def build(
         motion=conditions.motion,
         phases=_phases(stepping, dt),
         moved_supports=_moved_supports(conditions),
+        dashpots=_dashpots(stepping, dt, len(group)),
     )
     return model if meetings is None else enlarged(model, meetings, masses)
 
@@ -217,52 +213,18 @@ def _stiffness(properties: list[JointProperties], group: np.ndarray, joints: Joi
     return Stiffness(normal[group] * joints.area, shear[group] * joints.area, lame)
 
 
-def _row_sums(
-    blocks: Blocks,
-    joints: Joints,
-    layout: Layout,
-    sides: tuple[stable_step.Side, stable_step.Side],
-    length: np.ndarray,
-    stiffness: Stiffness,
-    meetings: Meetings | None,
-) -> dict[str, np.ndarray]:
-    """By kind, (rows, dofs) the sums of |K| that bound the time step."""
-    normal, shear, lame = stiffness
-    sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
-    if meetings is None:
-        stable_step.contact_row_sums(sums, sides, joints.normal, normal, shear)
-        stable_step.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
-        stable_step.tet_row_sums(sums["tets"], layout, lame)
-    else:
-        add_row_sums(sums, blocks, layout, sides, length, np.maximum(normal, shear), meetings.stiffest, lame)
-    stable_step.unscale(sums, layout, length)
-    return sums
-
-
-def _bounded(
-    blocks: Blocks,
-    layout: Layout,
-    length: np.ndarray,
-    sums: dict[str, np.ndarray],
-    real: dict[str, np.ndarray],
-    stepping: Stepping,
-    meetings: Meetings,
-) -> tuple[Stepping, dict[str, np.ndarray]]:
-    """Stepping and sums where blocks meet: shorter steps, or for tets sums with the dashpots of their faces."""
-    if layout.mesh is None:
-        return replace(stepping, step_fraction=stepping.step_fraction * meetings.step_fraction), sums
-    if not meetings.rules.dashpot.any():
-        return stepping, sums
-    rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
-    stable_step.unscale(rates, layout, length)
-    return stepping, with_dashpots(sums, rates, real, local_damping(stepping.damping))
-
-
 def _phases(stepping: Stepping, dt: float) -> Phases | None:
     """The damping of bodies in steps of dt (s), where it changes at the end of the settling."""
     if stepping.swing is None:
         return None
     return Phases(damping_in_steps(stepping.damping, dt), stepping.swing.of_bodies(dt))
+
+
+def _dashpots(stepping: Stepping, dt: float, contacts: int) -> Dashpots | None:
+    """Dashpots of so many contacts in steps of dt (s)."""
+    if stepping.swing is None or not stepping.swing.in_contacts:
+        return None
+    return dashpots_of(*stepping.swing.branches(dt), contacts)
 
 
 def _groups(names: tuple[str, ...], group: np.ndarray, laws: dict[str, tuple]) -> tuple[Groups, ContactState]:
@@ -352,21 +314,25 @@ def _lame(blocks: Blocks, layout: Layout, materials: dict[str, Material]) -> np.
 
 
 def _stepping(
-    layout: Layout, sums: dict, real: dict, conditions: Conditions, stepping: Stepping, kn: np.ndarray
+    layout: Layout, phases: PhaseSums, real: dict, conditions: Conditions, stepping: Stepping, kn: np.ndarray
 ) -> tuple[dict, float, float, str]:
     """Masses of motion, time step, its proven bound, and what limits it."""
-    xi = max(local_damping(stepping.damping), 0.0 if stepping.swing is None else stepping.swing.local)
+    swing, xi, sums = stepping.swing, local_damping(stepping.damping), phases.settling
+    fraction = phases.share * stepping.step_fraction
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
     if stepping.masses == "real":
         bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)
-        dt = stepping.step_fraction * bound
+        if swing is not None:
+            swung = stable_step.stable_step(phases.swinging or sums, real, free, swing.local)
+            bound, kind, row, i = min(swung, (bound, kind, row, i))
+        dt = fraction * bound
         if stepping.time_step == "equation-11":
-            dt = stable_step.equation_11(layout, real, kn, stepping.step_fraction)
+            dt = stable_step.equation_11(layout, real, kn, fraction)
         elif not isinstance(stepping.time_step, str):
             dt = stepping.time_step
         return real, dt, bound, dof_words(layout, kind, row, i) if kind else "nothing: nothing can move"
-    dt = stable_step.step_that_keeps_the_mass(sums, real, free, stepping.step_fraction, xi)
+    dt = stable_step.step_that_keeps_the_mass(sums, real, free, fraction, xi)
     if not isinstance(stepping.time_step, str):
         dt = stepping.time_step
-    masses = stable_step.scaled_masses(sums, dt, stepping.step_fraction, xi)
-    return masses, dt, dt / stepping.step_fraction, "every degree of freedom alike: masses are scaled to one bound"
+    masses = stable_step.scaled_masses(sums, dt, fraction, xi)
+    return masses, dt, dt / fraction, "every degree of freedom alike: masses are scaled to one bound"

@@ -3,6 +3,11 @@
 For a diagonal mass matrix w_max^2 <= max_i sum_j |K_ij| / m_i, so dt <= 2/w_max holds at dt = 2 min sqrt(m_i/S_i).
 Local damping lowers the limit: a dof answers with up to (1 + xi) F, so dt is divided by sqrt(1 + xi).
 Turns and strains are scaled by a length along their axis, so that the sums add like to like.
+
+Dashpots C act on velocities half a step old. Of M (v+ - v-) = -dt (K x + C v-) the energy
+(v+ (M - dt C / 2 - dt^2 K / 4) v+ + x K x) / 2, x halfway between two steps, only falls; so a step is stable where
+4 m_i >= 2 dt sum_j |C_ij| + dt^2 sum_j |K_ij| (`with_dashpots`). Of one oscillator with C = a1 K, z = a1 w / 2, that is
+dt <= (2/w) (sqrt(1 + z^2) - z). A Maxwell branch, a spring r K with a dashpot behind it, is no stiffer than the spring.
 """
 
 from dataclasses import dataclass
@@ -131,6 +136,20 @@ def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> 
             rows[:, 3:] *= KIND[kind].lengths(length[layout.members[kind]]) ** 2
     if len(sums["tets"]):
         np.maximum(sums["tets"], SOFTEST * sums["tets"].max(), out=sums["tets"])
+
+
+def with_dashpots(
+    sums: dict[str, np.ndarray], rates: dict[str, np.ndarray], masses: dict[str, np.ndarray], damping: float
+) -> dict[str, np.ndarray]:
+    """Row sums of |K| that alone would ask for the step that both ask for; rates, of |C| (N s/m); masses, real.
+
+    Local damping answers with up to (1 + damping) times the force, that of dashpots as well.
+    """
+    row_sums = {}
+    for kind, stiffness in sums.items():
+        mass = masses[kind] / (1.0 + damping)
+        row_sums[kind] = (np.sqrt(rates[kind] ** 2 + 4.0 * stiffness * mass) + rates[kind]) ** 2 / (4.0 * mass)
+    return row_sums
 
 
 def stable_step(

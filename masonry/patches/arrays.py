@@ -37,6 +37,7 @@ class PatchPoints(NamedTuple):
              SHEAR   Pa, x, y, z of the elastic shear traction on the reference, in space
     feature  (S, K) names
     damper   (S, K) Pa, stress of the dashpot at the last step
+    branches  (S, K / FOUR, 3 J, FOUR) Pa on the reference, x, y, z of each branch: branches.py; None without any
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
@@ -44,18 +45,22 @@ class PatchPoints(NamedTuple):
     quads: np.ndarray
     feature: np.ndarray
     damper: np.ndarray
+    branches: np.ndarray | None
     free: np.ndarray
 
 
 class Rules(NamedTuple):
     """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
-    residual cohesion (Pa) of faces that touch; None where no table has any."""
+    residual cohesion (Pa) of faces that touch; None where no table has any. keep, gain (J,) of the branches beside the
+    springs: branches.py; None without any."""
 
     normal_stiffness: np.ndarray
     shear_stiffness: np.ndarray
     tan_friction: np.ndarray
     dashpot: np.ndarray
     cohesion: np.ndarray | None = None
+    keep: np.ndarray | None = None
+    gain: np.ndarray | None = None
 
 
 class BlockMotion(NamedTuple):
@@ -226,14 +231,15 @@ def outward(own):
     return 1.0 if own == 1 else -1.0
 
 
-def no_points(room: int, most: int) -> PatchPoints:
-    """Room for the points of so many pairs, `most` each, and none in it."""
+def no_points(room: int, most: int, branches: int = 0) -> PatchPoints:
+    """Room for the points of so many pairs, `most` each, with so many branches, and none in it."""
     most = -(-most // 4) * 4
     return PatchPoints(
         number=np.zeros(room, dtype=np.int64),
         quads=np.zeros((room, most // FOUR, 8, FOUR)),
         feature=np.zeros((room, most), dtype=np.int64),
         damper=np.zeros((room, most)),
+        branches=np.zeros((room, most // FOUR, 3 * branches, FOUR)) if branches else None,
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),
     )
 

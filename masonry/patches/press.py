@@ -27,6 +27,7 @@ from masonry.patches.arrays import (
     outward,
     vector_of,
 )
+from masonry.patches.branches import beside, with_branches
 from masonry.patches.pairs import FAR
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
@@ -72,7 +73,21 @@ def press(record):
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
             present = below(count - k, four())
             (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
-                points, joint, dashpot, s, k, present, gap + slack, d, rate, rate, n, rotation, dt
+                points,
+                joint,
+                dashpot,
+                s,
+                k,
+                present,
+                gap + slack,
+                d,
+                rate,
+                rate,
+                n,
+                rotation,
+                dt,
+                rules.keep,
+                rules.gain,
             )
             friction, work = friction + by_friction, work + by_dashpot
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
@@ -81,7 +96,7 @@ def press(record):
         fx, fy, fz, qx, qy, qz = total(fx), total(fy), total(fz), total(qx), total(qy), total(qz)
         add(push, ref, 1.0, fx, fy, fz, qx + (oy * fz - oz * fy), qy + (oz * fx - ox * fz), qz + (ox * fy - oy * fx))
         add(push, other, -1.0, fx, fy, fz, qx, qy, qz)
-        if dashpot > 0.0:
+        if dashpot > 0.0 or any_branches(rules.keep):
             damped, pairs.damped[p] = damped + work, pairs.damped[p] + total(work)
         parted = parted or (slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0)
     account[FRICTION] += total(friction)
@@ -112,12 +127,13 @@ def places(frame, b, points, s, k):
 
 
 @inlined
-def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt):
+def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain):
     """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
 
     joint     as `joint_of`; dashpot Pa s/m     present  which of the four there are
     d, along  m/s, of the other block against the reference, and its part along the normal n
     closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
+    keep, gain  of branches.py, or None
     """
     (kn, ks, tan, cohesion), size = joint, four_of(points, s, k, AREA)
     touches = (gap < 0.0) & present
@@ -130,15 +146,27 @@ def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, ro
         sigma = sigma + now
     shear = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
     before = shear[0] * shear[0] + shear[1] * shear[1] + shear[2] * shear[2]
-    if not any_lane(touches | (before > 0.0)):
+    if keep is None and not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, work
     shear, out = turned_with(shear, before, rotation, n)
-    t, heat = slide(shear, out, d, along, n, dt, ks, strength(cohesion, tan, sigma, touches))
+    most = strength(cohesion, tan, sigma, touches)
+    t, heat = slide(shear, out, d, along, n, dt, ks, most)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.quads, (s, k // FOUR, SHEAR, 0), x)
     put(points.quads, (s, k // FOUR, SHEAR + 1, 0), y)
     put(points.quads, (s, k // FOUR, SHEAR + 2, 0), z)
+    if keep is not None:
+        m, taken = beside(
+            points.branches, keep, gain, s, k, joint, dt, touches, (x, y, z), most, sigma, d, along, n, rotation
+        )
+        x, y, z, work = x + m[0], y + m[1], z + m[2], work + size * taken
     return (size * x, size * y, size * z), size * sigma, size * heat, work
+
+
+@inlined
+def any_branches(keep):
+    """Whether springs have branches beside them."""
+    return keep is not None
 
 
 @inlined
@@ -279,7 +307,8 @@ def point_forces(record):
                 x, y, z = vector_of(points, s, k, PLACE)
                 arm = turned(motion.frame, other, x, y, z)
                 sigma = kn * gap + (points.damper[s, k] if pairs.dashpot[p] > 0.0 else 0.0)
-                shear, sign = vector_of(points, s, k, SHEAR), outward(own)
+                shear = with_branches(points.branches, s, k, vector_of(points, s, k, SHEAR))
+                sign = outward(own)
                 for i in range(3):
                     place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
                     force[count, i] = sign * number_of(points, s, k, AREA) * (shear[i] + sigma * n[i])

@@ -11,7 +11,7 @@ from masonry.jit.compiler import inlined, inner
 from masonry.jit.records import unpack
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.patches.arrays import DASHPOT, FRICTION, LEVEL, between, joint_of
-from masonry.patches.press import clear, ease, four_of, places, respond
+from masonry.patches.press import any_branches, clear, ease, four_of, places, respond
 from masonry.simd import FOUR, below, filled, four, total
 
 
@@ -55,7 +55,7 @@ def press_deforming(record):
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
                 *(points, joint, dashpot, s, k, below(count - k, four()), gap + slack),
-                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
+                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt, rules.keep, rules.gain),
             )
             friction, work, pressed = friction + by_friction, work + by_dashpot, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz
@@ -68,7 +68,7 @@ def press_deforming(record):
             total(xx), total(xy), total(xz), total(yx), total(yy), total(yz), total(zx), total(zy), total(zz),
         )  # fmt: skip
         push_both(push, ref, other, force, moments, (ox, oy, oz), -total(pressed), (nx, ny, nz))
-        if dashpot > 0.0:
+        if dashpot > 0.0 or any_branches(rules.keep):
             damped, pairs.damped[p] = damped + work, pairs.damped[p] + total(work)
         parted = parted or (slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0)
     account[FRICTION] += total(friction)

@@ -36,6 +36,7 @@ from masonry.patches.arrays import (
     put_vector_of,
     vector_of,
 )
+from masonry.patches.branches import forget
 from masonry.patches.pair_search import part
 from masonry.patches.pairs import FAR
 from masonry.patches.press import stored
@@ -234,6 +235,7 @@ def write_points(near, p, count, former_count):
         points.feature[s, k] = footprint.feature[k]
         if k >= former_count or near.former.feature[k] != footprint.feature[k]:
             points.damper[s, k] = 0.0
+            forget(points.branches, s, k)
         area += footprint.area[k]
     points.number[s] = count
     return deepest, area
@@ -255,6 +257,7 @@ def hand_on_shear(near, p, count, former_count):
         put_vector_of(points, s, k, SHEAR, (sign * x, sign * y, sign * z))
         if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
             points.damper[s, k] = 0.0
+            forget(points.branches, s, k)
 
 
 @inner

@@ -31,6 +31,8 @@ dashpots dissipated; what shear lost as contacts were detected anew; what presse
 those that came or grew."""
 
 
+DASHPOT = "dashpot"
+"""The one of them that a run of small displacement has where it has dashpots in contacts."""
 TILT = "tilt_of_gravity"
 """The column (rad) of a run whose gravity is turned."""
 FACTOR = "load_factor"

@@ -179,7 +179,7 @@ def _damping(scene: Any) -> None:
     """Mass damping brakes motion relative to the ground; a drive, and supports that move, carry the specimen along."""
     if not scene.damping.mass_rate:
         return
-    key = "damping.mass"
+    key = "damping.rayleigh" if scene.damping.mass is None else "damping.mass"
     if scene.drive is not None:
         raise KeyedError(key, "brakes motion relative to the ground, not to a drive: give a [ground] instead")
     if scene.moved_grounds:

@@ -11,6 +11,7 @@ from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 HEAD = "| table | its keys |\n|---|---|\n"
 PLACES = {
     **{"": "Top of the file", "specimen.turned": "`[specimen]`", "gravity.tilt": "`[gravity]`"},
+    **dict.fromkeys(("damping.rayleigh", "damping.maxwell"), "`[damping]`"),
     **dict.fromkeys(("specimen.cells", "specimen.mortar.cells", "specimen.core"), "Cells in place of a grid"),
     **{"specimen.mortar": 'kind = "couplet"', "specimen.opening": 'kind = "wall"', "specimen.box": 'kind = "boxes"'},
     **{"contact": "Keys", "scatter.GROUP": "`[scatter]`"},

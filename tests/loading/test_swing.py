@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory import laboratory
 from tests.scenes import load
 
@@ -43,16 +44,17 @@ direction = "z"
 {damping}
 """
 OMEGA = float(np.sqrt(1e9 * 0.04 / (2000.0 * 0.004)))
+HZ = OMEGA / (2.0 * np.pi)
 
 
 def decay(damping: str) -> tuple[float, dict]:
-    """Ratio of damping by the kinetic energy that is left, at the times at which the block passes its place."""
+    """Logarithmic decrement over 2 pi, from the largest kinetic energies of the half swings."""
     result = laboratory.run(load(SCENE.format(damping=damping)))
     rows = result.history.rows
     after = rows["step"] >= 8000
-    z, energy = rows["z"][after] - rows["z"][after][0], rows["kinetic"][after]
-    passes = np.flatnonzero(z[:-1] * z[1:] < 0.0)[:20]
-    top = [float(energy[max(p - 5, 0) : p + 6].max()) for p in passes]
+    energy = rows["kinetic"][after][2:]
+    top = energy[1:-1][(energy[1:-1] > energy[:-2]) & (energy[1:-1] >= energy[2:])][:20]
+    assert np.abs(open_in_contacts(rows)).max() < 1e-9 * energy.max()
     return float(np.polyfit(np.pi * np.arange(len(top)), -0.5 * np.log(top), 1)[0]), result.summary
 
 
@@ -62,6 +64,9 @@ def decay(damping: str) -> tuple[float, dict]:
         ("", None, 0.0),
         ("[damping]\n", 0.0, 1e-6),
         ("[damping]\nlocal = 0.157\n", np.log(1.157 / 0.843) / (2.0 * np.pi), 1e-3),
+        (f'[damping]\nstiffness = "{0.1 / OMEGA!r} s"\n', 0.05, 1e-4),
+        (f'[damping]\nrayleigh = {{ratio = "5 %", between = ["{HZ / 2} Hz", "{2 * HZ} Hz"]}}\n', 0.04, 1e-4),
+        (f'[damping]\nmaxwell = {{ratio = "5 %", between = ["{HZ / 3} Hz", "{3 * HZ} Hz"]}}\n', 0.050236, 1e-4),
         (f'[damping]\nmass = "{0.1 * OMEGA!r} s^-1"\n', 0.05, 1e-4),
     ],
 )

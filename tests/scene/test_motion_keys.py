@@ -176,3 +176,31 @@ def test_a_tilt_takes_the_place_of_a_history_and_its_duration():
 
 def test_a_curve_may_be_drawn_over_the_tilt():
     assert scene(more=TILT + '[curve]\nx = "tilt_of_gravity"\n').curve.x == "tilt_of_gravity"
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ('rayleigh = {ratio = "5 %", between = ["2 Hz", "1 Hz"]}', "damping.rayleigh.between: between takes a lower"),
+        ('maxwell = {ratio = "20 %", between = ["1 Hz", "2 Hz"]}', "damping.maxwell.ratio: must be 10 % at most"),
+        (
+            'rayleigh = {ratio = 0.05, between = ["1 Hz", "2 Hz"]}\nmass = "1 s^-1"',
+            "damping.rayleigh: mass and rayleigh",
+        ),
+        ('stiffness = "2 Hz"', "damping.stiffness: Hz is a frequency; stiffness is a time"),
+        ('maxwel = "1 s"', "damping.maxwel: unknown key; did you mean 'maxwell'?"),
+    ],
+)
+def test_what_damping_cannot_be_is_refused(table, words):
+    with pytest.raises(SceneError) as error:
+        scene(more=GRAVITY + REAL + f"[damping]\n{table}\n")
+    assert words in str(error.value)
+
+
+def test_rayleighs_numbers_follow_from_a_ratio_at_two_frequencies():
+    damping = scene(
+        more=GRAVITY + REAL + '[damping]\nrayleigh = {ratio = "5 %", between = ["2 Hz", "10 Hz"]}\n'
+    ).damping
+    for omega in (4.0 * math.pi, 20.0 * math.pi):
+        ratio = 0.5 * (damping.mass_rate / omega + damping.stiffness_time * omega)
+        assert ratio == pytest.approx(0.05, rel=1e-14)

@@ -37,6 +37,7 @@ class Meetings:
     """How blocks meet: `rules`, and law_of (G, G, 2), which of them serves two groups, of two units (0) or of one.
 
     skin    of the mean size of a block: how far blocks may come nearer before all pairs are found anew
+    branches  of dashpots beside the springs
     spread  whether patches have points inside besides those at their corners
     """
 
@@ -44,6 +45,7 @@ class Meetings:
     law_of: np.ndarray
     skin: float
     spread: bool = False
+    branches: int = 0
 
     @property
     def stiffest(self) -> float:
@@ -223,8 +225,8 @@ def near_of(
         cells=cells_for(pieces, room),
         pairs=no_pairs(room),
         before=no_pairs(room),
-        points=no_points(room, most),
-        rules=meetings.rules,
+        points=no_points(room, most, meetings.branches),
+        rules=meetings.rules._replace(**no_branches(meetings.branches)),
         motion=motion,
         search=search,
         footprint=no_footprint(most),
@@ -233,6 +235,11 @@ def near_of(
         account=np.zeros(5),
     )
     return near, members
+
+
+def no_branches(count: int) -> dict[str, np.ndarray]:
+    """Of Rules: so many branches that bear nothing yet; nothing without any."""
+    return {"keep": np.zeros(count), "gain": np.zeros(count)} if count else {}
 
 
 def keys(pairs: np.ndarray, count: int) -> np.ndarray:

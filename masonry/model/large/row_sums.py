@@ -12,10 +12,6 @@ nothing is counted); no line of a block gets longer than `stretch` times its len
 St Venant-Kirchhoff: K(F) = (1 x F) K(1) (1 x F^T) + geometric part, so the first grows by no more than stretch^2; the
 second is V S, and only tension adds to the highest frequency: S <= (3 lambda + 2 mu) (stretch^2 - 1) / 2.
 `row_sums` takes the place of the sums of stable_step.py; `stable_step` and `scaled_masses` go on from there.
-
-Dashpots C act on velocities half a step old. Of M (v+ - v-) = -dt (K x + C v-) the energy
-(v+ (M - dt C / 2 - dt^2 K / 4) v+ + x K x) / 2, x halfway between two steps, only falls; so a step is stable where
-4 m_i >= 2 dt sum_j ||C_ij|| + dt^2 sum_j ||K_ij|| (`with_dashpots`).
 """
 
 import numpy as np
@@ -130,17 +126,3 @@ def pair_norm(lame: np.ndarray, mu: np.ndarray, cosine: np.ndarray) -> np.ndarra
     det = mu * (lame + 2.0 * mu) * cosine**2 - lame * mu * sine_squared
     within = np.sqrt(0.5 * (of_squares + np.sqrt(np.maximum(of_squares**2 - 4.0 * det**2, 0.0))))
     return np.maximum(within, np.abs(mu * cosine))
-
-
-def with_dashpots(
-    sums: dict[str, np.ndarray], rates: dict[str, np.ndarray], masses: dict[str, np.ndarray], damping: float
-) -> dict[str, np.ndarray]:
-    """Row sums of |K| that alone would ask for the step that both ask for; rates, of |C| (N s/m); masses, real.
-
-    Local damping answers with up to (1 + damping) times the force, that of dashpots as well.
-    """
-    row_sums = {}
-    for kind, stiffness in sums.items():
-        mass = masses[kind] / (1.0 + damping)
-        row_sums[kind] = (np.sqrt(rates[kind] ** 2 + 4.0 * stiffness * mass) + rates[kind]) ** 2 / (4.0 * mass)
-    return row_sums

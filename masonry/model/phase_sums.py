@@ -1,0 +1,109 @@
+"""Row sums that bound the time step: while dead loads settle, and from then on, where contacts have dashpots."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from masonry.model import stable_step
+from masonry.model.damping import Swing
+from masonry.model.large.block_motion import masses_behind
+from masonry.model.large.meeting import Meetings, add_row_sums, face_row_sums
+from masonry.model.layout import DOFS, KINDS, Layout
+from masonry.model.stable_step import Side
+
+
+class Outline(NamedTuple):
+    """Blocks as the bound of the step sees them: both sides of the contacts, the lengths (B, 3) m of the blocks, and
+    the normals (C, 3) of the contacts."""
+
+    layout: Layout
+    sides: tuple[Side, Side]
+    length: np.ndarray
+    normal: np.ndarray
+
+
+class PhaseSums(NamedTuple):
+    """By what share dashpots of patches shorten the step; row sums while dead loads settle; those from then on, None
+    where contacts have no dashpots."""
+
+    share: float
+    settling: dict[str, np.ndarray]
+    swinging: dict[str, np.ndarray] | None
+
+
+class Stiffness(NamedTuple):
+    """Of the contacts, (C,) N/m times their areas, dilation included, and Lame constants of the blocks (B, 2), Pa."""
+
+    normal: np.ndarray
+    shear: np.ndarray
+    lame: np.ndarray
+
+
+def sums_of_phases(
+    blocks: Blocks,
+    specimen: Outline,
+    stiffness: Stiffness,
+    real: dict[str, np.ndarray],
+    phases: tuple[float, Swing | None],
+    meetings: Meetings | None,
+) -> PhaseSums:
+    """The row sums of a model.
+
+    phases  xi of local damping while dead loads settle, and what damps from then on
+    """
+    (xi, swing), swinging = phases, None
+    sums = _row_sums(blocks, specimen, stiffness, meetings)
+    share, rates = _of_meetings(blocks, specimen, real, meetings)
+    if swing is not None and swing.in_contacts:
+        rigid = stiffness._replace(lame=np.zeros_like(stiffness.lame))
+        swinging = _swinging(sums, _row_sums(blocks, specimen, rigid, meetings), rates, real, swing)
+    return PhaseSums(share, sums if rates is None else stable_step.with_dashpots(sums, rates, real, xi), swinging)
+
+
+def _row_sums(
+    blocks: Blocks, specimen: Outline, stiffness: Stiffness, meetings: Meetings | None
+) -> dict[str, np.ndarray]:
+    """By kind, (rows, dofs) the sums of |K| that bound the time step."""
+    (normal, shear, lame), (layout, sides, length, face) = stiffness, specimen
+    sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
+    if meetings is None:
+        stable_step.contact_row_sums(sums, sides, face, normal, shear)
+        stable_step.affine_row_sums(sums["affine"], layout, lame[layout.members["affine"]], length)
+        stable_step.tet_row_sums(sums["tets"], layout, lame)
+    else:
+        add_row_sums(sums, blocks, layout, sides, length, np.maximum(normal, shear), meetings.stiffest, lame)
+    stable_step.unscale(sums, layout, length)
+    return sums
+
+
+def _of_meetings(
+    blocks: Blocks, specimen: Outline, real: dict[str, np.ndarray], meetings: Meetings | None
+) -> tuple[float, dict[str, np.ndarray] | None]:
+    """Where blocks meet: by what share steps are shorter, or for tets row sums of the dashpots of faces (N s/m)."""
+    layout, length = specimen.layout, specimen.length
+    if meetings is None:
+        return 1.0, None
+    if layout.mesh is None:
+        return meetings.step_fraction, None
+    if not meetings.rules.dashpot.any():
+        return 1.0, None
+    rates = face_row_sums(blocks, layout, length, meetings.dashpots(masses_behind(layout, real)))
+    stable_step.unscale(rates, layout, length)
+    return 1.0, rates
+
+
+def _swinging(
+    sums: dict[str, np.ndarray],
+    of_contacts: dict[str, np.ndarray],
+    rates: dict[str, np.ndarray] | None,
+    real: dict[str, np.ndarray],
+    swing: Swing,
+) -> dict[str, np.ndarray]:
+    """The row sums, those of contacts, and of the dashpots of faces, as they are with dashpots in closed contacts."""
+    stiffer = {kind: rows + sum(swing.stiffer) * of_contacts[kind] for kind, rows in sums.items()}
+    damped = {
+        kind: swing.stiffness_time * rows + (0.0 if rates is None else rates[kind])
+        for kind, rows in of_contacts.items()
+    }
+    return stable_step.with_dashpots(stiffer, damped, real, swing.local)
