@@ -100,7 +100,8 @@ def _steps_text(report: Report) -> str:
     least, most = report.steps_between
     if least == most:
         return f"{report.steps}"
-    return "about {}, between {} and {}".format(*(int(float(f"{n:.2g}")) for n in (report.steps, least, most)))
+    steps, least, most = (int(float(f"{n:.2g}")) for n in (report.steps, least, most))
+    return f"about {steps}" if least == most else f"about {steps}, between {least} and {most}"
 
 
 def _seconds_text(report: Report) -> str:
