@@ -87,5 +87,9 @@ class Configuration(Protocol):
 
 
 def configuration_of(model: Model) -> Configuration:
-    """What answers for the displacements of a model."""
-    return SmallDisplacement(model) if model.large is None else LargeDisplacement(model, model.large)
+    """What answers for the displacements of a model: one for as long as these are of one kind."""
+    large = model.large
+    if model.configuration is None or model.configuration[0] is not large:
+        model.configuration = large, SmallDisplacement(model) if large is None else LargeDisplacement(model, large)
+    answering: Configuration = model.configuration[1]
+    return answering

@@ -63,6 +63,7 @@ class Model:
     damping  of bodies, now; phases: before and after the end of the settling, None where it stays
     dashpots  in closed contacts from then on, None without any; acting: those that act now
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
+    configuration  what configuration/configuration.py keeps here: what answers for its displacements
     """
 
     blocks: Blocks
@@ -94,6 +95,7 @@ class Model:
     dashpots: Dashpots | None = None
     acting: Dashpots = NO_DASHPOTS
     parts: Any = field(default=None, init=False, repr=False, compare=False)
+    configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
         """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
