@@ -15,6 +15,7 @@ RIVALS = (
     {"divisions", "cells"},
     {"total", "per_unit", "size"},
     {"scale", "peak"},
+    {"record", "made"},
 )
 
 
