@@ -21,7 +21,9 @@ def parser() -> Parser:
     words.add_argument("folder", type=Path, metavar="DIR", help="a folder of results")
     words.add_argument("--to", type=Path, metavar="FILE", help=".gif or .mp4 (default DIR/movie.gif)")
     words.add_argument("--overwrite", action="store_true", help="replace FILE, even if masonry did not make it")
-    words.add_argument("--fps", type=int, default=6, metavar="N", help="frames a second (default 6)")
+    words.add_argument(
+        "--fps", type=int, metavar="N", help="frames a second (default 6, or real time where the ground shakes)"
+    )
     words.add_argument("--view", choices=VIEWS, help="default front, or side where it falls that way")
     words.add_argument("--scale", type=scale, metavar="N", help="displacements drawn N times (default: so they show)")
     return words

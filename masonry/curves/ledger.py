@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from masonry.rows.columns import INPUT_ENERGY
+
 LEDGER = {
     "elastic_blocks": ("elastic, blocks", "#9ecae1"),
     "elastic_contacts": ("elastic, contacts", "#4a90c2"),
@@ -47,3 +49,5 @@ def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray
             axes.plot(displacement, terms[name], ":", color=colour, linewidth=2.0, label=f"{label} (not stacked)")
     if "external_work" in rows:
         axes.plot(displacement, rows["external_work"], color="black", linewidth=1.4, label="external work")
+    if INPUT_ENERGY in rows:
+        axes.plot(displacement, rows[INPUT_ENERGY], "--", color="#b2182b", linewidth=1.0, label="input of the ground")

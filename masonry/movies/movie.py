@@ -50,6 +50,8 @@ class Movie:
         frames = result.history.frames
         if not frames:
             raise SceneError("this result has no frames: its run ended before there was one; there is nothing to draw")
+        shaking = [frame for frame in frames if frame.time >= (1.0 - 1e-9) * result.time_origin]
+        frames = shaking or frames
         self.result, self.frames = result, frames
         self.drawing = drawing_of(result, view)
         self.times = magnification(max(frames, key=largest_move), self.drawing.camera.size) if times is None else times

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 SUFFIXES = (".gif", ".mp4")
+USUAL = 6
+"""Frames a second."""
 DPI = 96.0
 HOLD = 1.5
 """Seconds that the last frame stays."""
@@ -26,14 +28,14 @@ HOLD = 1.5
 def write_movie(
     result: "ResultData",
     path: Path | str,
-    fps: int = 6,
+    fps: int | None = None,
     view: str | None = None,
     times: float | None = None,
     progress: Callable[[int, int, str], None] | None = None,
 ) -> Path:
     """Write a .gif or .mp4 of all frames, whole or not at all; returns the path.
 
-    fps       frames a second, 1 to 60
+    fps       frames a second, 1 to 60; by default 6, and as many as happened in a second where the ground shakes
     view      "front", "back", "side" or "iso"; by default that which shows how it falls, else the front
     times     by how much displacements are drawn larger
     progress  called with (frames done, frames, a word)
@@ -44,7 +46,7 @@ def write_movie(
     path = Path(path)
     if path.suffix not in SUFFIXES:
         raise SceneError(f"'{path}': a movie is a .gif or .mp4 file; nearest: '{path.stem or 'movie'}.gif'")
-    if not 1 <= fps <= 60:
+    if fps is not None and not 1 <= fps <= 60:
         raise SceneError(f"{fps} frames a second: a movie has 1 to 60")
     write = _write_gif if path.suffix == ".gif" else partial(_write_mp4, ffmpeg=_ffmpeg())
     from masonry.movies.movie import Movie
@@ -53,10 +55,18 @@ def write_movie(
         beside.touch()  # before there is anything to lose
         movie = Movie(result, view, times)
         try:
-            write(_shown(movie, progress), movie, beside, fps)
+            write(_shown(movie, progress), movie, beside, fps or pace(movie))
         except subprocess.CalledProcessError as error:
             raise SceneError(f"ffmpeg could not write '{path}' ({error}); a .gif needs no ffmpeg") from None
     return path
+
+
+def pace(movie: "Movie") -> int:
+    """Frames a second: those of the motion itself where the ground shakes, within what a movie can have."""
+    times = np.array([frame.time for frame in movie.frames])
+    if not movie.result.is_shaken or len(times) < 2:
+        return USUAL
+    return int(np.clip(round((len(times) - 1) / (times[-1] - times[0])), 1, 60))
 
 
 def _shown(movie: "Movie", progress: Callable[[int, int, str], None] | None) -> Iterator[None]:

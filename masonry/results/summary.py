@@ -295,6 +295,7 @@ class Shaking(Record):
     uplift: Uplift | None = one_of(Uplift)
     largest_force: LargestForce | None = one_of(LargestForce)
     input_energy_j: float | None = None
+    kinetic_at_end: float | None = None
     moves_supports: bool = False
     rows_a_second: float | None = None
 

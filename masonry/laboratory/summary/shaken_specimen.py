@@ -17,6 +17,7 @@ def shaking(assembly: Assembly, outcome: Outcome) -> Shaking | None:
     settled = assembly.plan.settle * assembly.model.dt
     first = int(np.searchsorted(rows["step"], assembly.plan.settle))
     since = rows["time"][first:] - settled
+    standing = slice(first, max(len(outcome.standing_rows["step"]), first + 1))
     grounds = {} if recording.ground is None else recording.ground.motions
     return Shaking(
         settled_s=settled,
@@ -31,18 +32,19 @@ def shaking(assembly: Assembly, outcome: Outcome) -> Shaking | None:
             )
             for axis, motion in grounds.items()
         },
-        gauges={gauge.name: _swing(gauge, since, rows[gauge.name][first:]) for gauge in recording.gauges},
-        uplift=_uplift(assembly, outcome, first, settled),
-        largest_force=_largest_force(assembly, outcome, settled),
+        gauges={gauge.name: _swing(gauge, since, rows[gauge.name], standing) for gauge in recording.gauges},
+        uplift=_uplift(assembly, outcome, standing, settled),
+        largest_force=_largest_force(assembly, outcome, standing, settled),
         input_energy_j=float(rows[INPUT_ENERGY][-1]) if INPUT_ENERGY in rows else None,
+        kinetic_at_end=_kinetic_at_end(rows["kinetic"][first:]),
         moves_supports=bool(assembly.scene.moved_grounds),
         rows_a_second=float(1.0 / np.median(np.diff(since))) if len(since) > 1 else None,
     )
 
 
-def _swing(gauge: Gauge, since: np.ndarray, reading: np.ndarray) -> GaugeSwing:
-    """Of a gauge, from what it read when the settling had ended."""
-    change = reading - reading[0]
+def _swing(gauge: Gauge, since: np.ndarray, reading: np.ndarray, standing: slice) -> GaugeSwing:
+    """Of a gauge, from the end of the settling until a block had fallen; and what is left at the end."""
+    change, left = reading[standing] - reading[standing.start], float(reading[-1] - reading[standing.start])
     k, height = int(np.argmax(np.abs(change))), gauge.height
     drifts = gauge.quantity == "displacement" and height > 0.0
     return GaugeSwing(
@@ -51,20 +53,26 @@ def _swing(gauge: Gauge, since: np.ndarray, reading: np.ndarray) -> GaugeSwing:
         time_s=float(since[k]),
         least=float(change.min()),
         most=float(change.max()),
-        residual=float(change[-1]),
+        residual=left,
         height_m=height if drifts else None,
         peak_drift=float(abs(change[k]) / height) if drifts else None,
-        residual_drift=float(abs(change[-1]) / height) if drifts else None,
+        residual_drift=abs(left) / height if drifts else None,
     )
 
 
-def _uplift(assembly: Assembly, outcome: Outcome, first: int, settled: float) -> Uplift | None:
+def _kinetic_at_end(kinetic: np.ndarray) -> float | None:
+    """The largest of the last twentieth of the rows, as what swings stands still twice a period, over the largest."""
+    most = float(kinetic.max(initial=0.0))
+    last = max(1, len(kinetic) // 20)
+    return float(kinetic[-last:].max()) / most if most > 0.0 else None
+
+
+def _uplift(assembly: Assembly, outcome: Outcome, standing: slice, settled: float) -> Uplift | None:
     """The widest that a joint opened until a block had fallen: what falls opens without end."""
     widest, rows = outcome.observed["widest"], outcome.history.rows
-    behind = len(outcome.standing_rows["step"])
-    if "widest_at" not in outcome.observed or behind <= first:
+    if "widest_at" not in outcome.observed or not len(widest[standing]):
         return None
-    row = first + int(np.argmax(widest[first:behind]))
+    row = standing.start + int(np.argmax(widest[standing]))
     contact, joints = int(outcome.observed["widest_at"][row]), assembly.joints
     if contact < 0:
         return None
@@ -76,12 +84,17 @@ def _uplift(assembly: Assembly, outcome: Outcome, first: int, settled: float) ->
     )
 
 
-def _largest_force(assembly: Assembly, outcome: Outcome, settled: float) -> LargestForce | None:
-    largest = outcome.found.get("pair_force")
-    if largest is None:
+def _largest_force(assembly: Assembly, outcome: Outcome, standing: slice, settled: float) -> LargestForce | None:
+    """Until a block had fallen: the blows of what falls are others."""
+    observed, rows = outcome.observed, outcome.history.rows
+    if "pair_force" not in observed or not len(observed["pair_force"][standing]):
+        return None
+    row = standing.start + int(np.argmax(observed["pair_force"][standing]))
+    one, other = int(observed["pair_one"][row]), int(observed["pair_other"][row])
+    if one < 0:
         return None
     return LargestForce(
-        force_n=largest.force,
-        time_s=largest.step * assembly.model.dt - settled,
-        between=assembly.model.two_blocks(*largest.pair),
+        force_n=float(observed["pair_force"][row]),
+        time_s=float(rows["time"][row] - settled),
+        between=assembly.model.two_blocks(one, other),
     )
