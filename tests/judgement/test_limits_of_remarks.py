@@ -11,7 +11,15 @@ from masonry.assembly.assemble import Assembly, assemble
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.checks import free_rocking as may_rock
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.runs import blow, closed_joints, left_floor, rocking, turned_beds, unrest_at_end
+from masonry.laboratory.remarks.runs import (
+    blow,
+    closed_joints,
+    hard_impacts,
+    left_floor,
+    rocking,
+    turned_beds,
+    unrest_at_end,
+)
 from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
 from masonry.monitors.collapse import LeftFloor
 from masonry.scene import load
@@ -235,6 +243,16 @@ def test_blocks_that_left_the_floor_are_told_with_the_first_of_them_and_how_many
     run = inspected(None, found={"left_floor": LeftFloor(4, 0.25, blocks)})
     assert said(left_floor.doubts(run), f"block 4 had left the floor after 0.25 s{others}: what leaves it falls on")
     assert not left_floor.doubts(inspected(None, found={"left_floor": None}))
+
+
+@pytest.mark.parametrize(
+    ("shaken", "dashpot", "fell", "told"), [(1, 0, 1, 1), (0, 0, 1, 0), (1, 1, 1, 0), (1, 0, 0, 0)]
+)
+def test_blocks_that_fall_on_shaken_ground_without_dashpots_are_told(shaken, dashpot, fell, told):
+    pairs = SimpleNamespace(properties={"floor_units": {}, "unit_unit": {"normal_dashpot": float(dashpot)}})
+    assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken), pairs=pairs)
+    run = inspected(assembly, found={"collapse": (3, 9, {}) if fell else None, "left_floor": None})
+    assert said(hard_impacts.doubts(run), "no impact lost energy") == bool(told)
 
 
 def glued(**contact: str):
