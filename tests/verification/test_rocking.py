@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 
 from verification.references.rocking import RockingBlock, rock
+from verification.scene_runs import result_of
+from verification.studies import rocking_statistics
+from verification.studies.rocking_statistics import Peaks
 
 SLENDER = RockingBlock(0.125, 0.5, 0.91176)
+SMALL = rocking_statistics.BLOCKS[0]
 AWAY = np.linspace(0.0, 1.0, 101), np.zeros(101)
 
 
@@ -62,3 +66,34 @@ def test_a_mirrored_record_mirrors_the_motion_and_a_tighter_tolerance_changes_no
     assert mirrored.angle == pytest.approx(-first.angle)
     assert tight.impacts[:4] == pytest.approx(first.impacts[:4], abs=1e-5)
     assert tight.peak == pytest.approx(first.peak, rel=1e-4)
+
+
+def test_a_run_on_a_pulse_follows_the_integration():
+    """One cycle of a sine, 0.3 g and 0.5 s: the block lifts off, leans, comes back and rocks out."""
+    restitution = rocking_statistics.measured_restitution(SMALL)
+    assert restitution == pytest.approx(SLENDER.of_housner, abs=0.005)
+    keys = {"x": "0.3 g * sin(2 pi t / 0.5 s)", "duration": "0.5 s", "begin": "0.2 s"}
+    settings = rocking_statistics.settings_of(SMALL) | {"ground": keys, "solver.duration": "2.2 s"}
+    rows = result_of(rocking_statistics.SCENE, settings).history.rows
+    time = np.linspace(0.0, 0.5, 201)
+    shaking = 0.3 * 9.80665 * np.sin(2.0 * np.pi * time / 0.5)
+    motion = rock(RockingBlock(0.125, 0.5, restitution), time, shaking, until=2.0)
+    lean = np.sin(SLENDER.alpha) - np.abs(rows["sway of small"]) / np.hypot(0.125, 0.5)
+    angle = np.sign(rows["sway of small"]) * (SLENDER.alpha - np.arcsin(lean))
+    integrated = np.interp(rows["time"] - 0.2, motion.time, motion.angle)
+    assert motion.peak > 0.1 * SLENDER.alpha and len(motion.impacts) >= 2
+    assert angle == pytest.approx(integrated, abs=0.03 * motion.peak)
+
+
+def test_statistics_of_trials_by_hand():
+    peaks = [Peaks(0.1, 0.11), Peaks(0.3, 0.3), Peaks(np.inf, 0.9), Peaks(np.inf, np.inf), Peaks(1e-5, 2e-4)]
+    statistics = rocking_statistics.statistics_of(peaks)
+    assert statistics.fell == (2, 1) and statistics.medians == (0.3, 0.3) and statistics.median_off == 0.0
+    assert statistics.distance == pytest.approx(0.2) and statistics.holds(5)
+    assert not rocking_statistics.statistics_of(8 * peaks).holds(40)
+
+
+@pytest.mark.slow
+def test_blocks_on_made_motions_fall_as_often_as_the_equation_says():
+    chapter = rocking_statistics.chapter(lambda _: None, quick=True)
+    assert [verdict.kind for verdict in chapter.verdicts] == ["ok"]
