@@ -78,8 +78,8 @@ def test_a_run_on_a_pulse_follows_the_integration():
     time = np.linspace(0.0, 0.5, 201)
     shaking = 0.3 * 9.80665 * np.sin(2.0 * np.pi * time / 0.5)
     motion = rock(RockingBlock(0.125, 0.5, restitution), time, shaking, until=2.0)
-    lean = np.sin(SLENDER.alpha) - np.abs(rows["sway of small"]) / np.hypot(0.125, 0.5)
-    angle = np.sign(rows["sway of small"]) * (SLENDER.alpha - np.arcsin(lean))
+    lean = np.sin(SLENDER.alpha) - np.abs(rows["sway"]) / np.hypot(0.125, 0.5)
+    angle = np.sign(rows["sway"]) * (SLENDER.alpha - np.arcsin(lean))
     integrated = np.interp(rows["time"] - 0.2, motion.time, motion.angle)
     assert motion.peak > 0.1 * SLENDER.alpha and len(motion.impacts) >= 2
     assert angle == pytest.approx(integrated, abs=0.03 * motion.peak)
