@@ -80,7 +80,7 @@ def measured_restitution(block: Block) -> float:
     form = alone(block)
     turned = {"about": "y", "angle": f"{0.5 * form.alpha!r} rad"}
     times = rock(alone(block, form.of_housner), np.linspace(0, 1, 101), np.zeros(101), 20.0, 0.5 * form.alpha).impacts
-    ends = {"specimen.turned": turned, "ground": (), "solver.duration": f"{times[4]} s", "solver.rows": 4000}
+    ends = {"specimen.turned": turned, "ground": (), "solver.duration": f"{times[4]} s"}
     rows = result_of(SCENE, settings_of(block) | ends).history.rows
     mass = 2000.0 * block.width * DEPTH * block.height
     lean = np.hypot(form.half_width, form.half_height) * (np.cos(0.5 * form.alpha) - np.cos(form.alpha))
