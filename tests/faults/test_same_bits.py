@@ -18,6 +18,7 @@ from tests.large.test_invariance import scene as toppling
 from tests.model.test_motion import GRAVITY, flight, standing
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
+from verification import scene_runs
 
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
 WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}
@@ -35,6 +36,12 @@ TO_AND_FRO = {
     "limit.accuracy": 0.05,
     "limit.history": [0.02, -0.02, 0.03],
     "gauge": LED["gauge"],
+}
+SHAKEN = {
+    "settle.steps": 400,
+    "solver.rows": 30,
+    "ground.x": "0.5 g * sin(2 pi t / 0.01 s)",
+    "ground.duration": "0.01 s",
 }
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
@@ -54,6 +61,8 @@ SCENES = {
     "a wall whose top is led on behind the collapse": lambda: load_scene("wall-tilted", LED),
     "a wall on ground that is tilted to and fro": lambda: load_scene("wall-tilted", TO_AND_FRO),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
+    "ground that moves": lambda: scene_runs.load("block-on-ground", SHAKEN),
+    "supports that move": lambda: scene_runs.load("block-on-ground", {**SHAKEN, "ground.as": "base"}),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),
     "a wall that cracks": lambda: load_scene(

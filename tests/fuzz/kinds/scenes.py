@@ -133,6 +133,51 @@ def histories(draw: Draw) -> Attempt:
     return Attempt(words)
 
 
+RECORD = b"# a record\n# Time (s), North (g), Up (cm/s2)\n0.0,0.01,1\n0.01,-0.2,2\n0.02,0.3,-1\n0.03,0,0.5\n"
+IN_RECORDS = (
+    b"nan",
+    b"inf",
+    b"1e999",
+    b";",
+    b"\t",
+    b",",
+    b",,",
+    b"\xef\xbb\xbf",
+    b"\n\n",
+    b"#",
+    b"(ms)",
+    b"(",
+    b"-",
+    b"\x00",
+)
+OF_GROUND = {
+    "quantity": ("acceleration", "velocity", "displacement", "force"),
+    "unit": ("g", "m/s2", "mm", "cm/s^2", "", "kg"),
+    "x": ("North", "up", "2", "9", "0.4 g * sin(2 pi t / 1 s)", ""),
+    "scale": (1, -2.5, 0, 1e9, "x"),
+    "peak": ("0.4 g", "0 g", "1 mm", "nan g"),
+    "baseline": ("linear", "none", 1),
+    "begin": ("1 s", "-1 s", 0),
+    "as": ("base", "inertia", "frame"),
+    "on": ("bottom", "floor", "nothing"),
+    "duration": ("1 s", "1e9 s"),
+    "time": ("Time", "North", "1"),
+}
+
+
+@kind("ground-records", 6)
+def ground_records(draw: Draw) -> Attempt:
+    """Records of the ground, changed as text, and the keys that read them."""
+    content = changed_text(draw, RECORD)
+    for _ in range(below(draw, 3)):
+        place = below(draw, len(content) + 1)
+        content = content[:place] + pick(draw, IN_RECORDS) + content[place + below(draw, 3) :]
+    keys = {key: pick(draw, values) for key, values in OF_GROUND.items() if chance(draw, 15)}
+    ground = {"record": "own.csv", "x": "North", "z": "Up", **keys}
+    scene = toml({"base": "block-rocking", "ground": ground, "solver": {"duration": "0.1 s"}})
+    return Attempt(["check", "a.toml"], {"a.toml": scene.encode("utf-8", "surrogatepass"), "own.csv": content})
+
+
 @kind("words", 14)
 def words(draw: Draw) -> Attempt:
     """Words that no one should write: settings, folders, options of every command."""
