@@ -32,7 +32,9 @@ def shaking(assembly: Assembly, outcome: Outcome) -> Shaking | None:
             )
             for axis, motion in grounds.items()
         },
-        gauges={gauge.name: _swing(gauge, since, rows[gauge.name], standing) for gauge in recording.gauges},
+        gauges={
+            gauge.name: _swing(gauge, since, rows[gauge.name], standing) for gauge in recording.gauges if len(since)
+        },
         uplift=_uplift(assembly, outcome, standing, settled),
         largest_force=_largest_force(assembly, outcome, standing, settled),
         input_energy_j=float(rows[INPUT_ENERGY][-1]) if INPUT_ENERGY in rows else None,
