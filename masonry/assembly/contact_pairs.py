@@ -12,6 +12,7 @@ from masonry.laws import factory
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.damping import swing_of
 from masonry.model.large.meeting import Meetings
+from masonry.model.large.restitution import MOST_LENGTH, further_share
 from masonry.patches.arrays import Rules
 from masonry.scene import Scene
 
@@ -67,7 +68,9 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
         shear = joint.shear_stiffness or joint.normal_stiffness  # 0 of a roller, of which friction 0 makes one as well
         numbers.append((joint.normal_stiffness, shear, friction or 0.0, dashpot, cohesion))
     kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, 5).T.copy()
-    rules = Rules(kn, ks, tan, damping, left if left.any() else None)
+    bounces = [pairs.properties[name].get("restitution") for name in pairs.names]
+    rise = np.array([(*further_share(e), MOST_LENGTH) if e else (0.0, 0.0, 0.0) for e in bounces])
+    rules = Rules(kn, ks, tan, damping, left if left.any() else None, rise=rise if rise.any() else None)
     skin, branches = scene.solver.skin, swing_of(scene.damping).branch_count
     spread = scene.specimen.patch_points == "spread"
     return Meetings(rules, pairs.number, SKIN if skin is None else skin, spread, branches)

@@ -253,6 +253,8 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     contacts = model.contacts._replace(sides=aligned(rows), u=parted, area=aligned(np.where(dry, 0.0, joints.area)))
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
     near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded)
+    if near.rules.rise is not None:
+        near.rules.rise[...] *= [model.dt, model.dt**2, 1.0 / model.dt]
     frames = near.motion.frame if members is None else near.motion.frame.copy()
     bodies = without_sides(bodies) if members is None else bodies
     bonds = bonds_of(model.contacts.sides, joints, layout.centroid, frames, model.contacts.u, apart, ~dry)

@@ -52,7 +52,8 @@ class PatchPoints(NamedTuple):
 class Rules(NamedTuple):
     """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
     residual cohesion (Pa) of faces that touch; None where no table has any. keep, gain (J,) of the branches beside the
-    springs: branches.py; None without any."""
+    springs: branches.py; None without any. rise (R, 3) where a restitution is given, 0 else: by how much more of
+    critical a dashpot needs in an impact of w (1/s), over w and its square, and the most w."""
 
     normal_stiffness: np.ndarray
     shear_stiffness: np.ndarray
@@ -61,6 +62,7 @@ class Rules(NamedTuple):
     cohesion: np.ndarray | None = None
     keep: np.ndarray | None = None
     gain: np.ndarray | None = None
+    rise: np.ndarray | None = None
 
 
 class BlockMotion(NamedTuple):

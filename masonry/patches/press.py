@@ -88,6 +88,7 @@ def press(record):
                 dt,
                 rules.keep,
                 rules.gain,
+                rise_of(rules.rise, pairs.law[p]),
             )
             friction, work = friction + by_friction, work + by_dashpot
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
@@ -127,20 +128,20 @@ def places(frame, b, points, s, k):
 
 
 @inlined
-def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain):
+def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain, rise):
     """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
 
     joint     as `joint_of`; dashpot Pa s/m     present  which of the four there are
     d, along  m/s, of the other block against the reference, and its part along the normal n
     closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
-    keep, gain  of branches.py, or None
+    keep, gain  of branches.py, or None   rise  of Rules, or None
     """
     (kn, ks, tan, cohesion), size = joint, four_of(points, s, k, AREA)
     touches = (gap < 0.0) & present
     sigma = where(touches, kn * gap, 0.0)
     work = filled(0.0, gap)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
-        now = where(touches, minimum(dashpot * closing, -sigma), 0.0)
+        now = where(touches, minimum(dashpot * while_closed(rise, gap, closing, dt), -sigma), 0.0)
         work = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
         put(points.damper, (s, k), now)
         sigma = sigma + now
@@ -161,6 +162,24 @@ def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, ro
         )
         x, y, z, work = x + m[0], y + m[1], z + m[2], work + size * taken
     return (size * x, size * y, size * z), size * sigma, size * heat, work
+
+
+@inlined
+def rise_of(rise, law):
+    """Above 0 where a row of rules has a restitution; None where none has."""
+    if rise is None:
+        return None
+    return rise[law, 0]
+
+
+@inlined
+def while_closed(rise, gap, closing, dt):
+    """m/s, rate of a gap (m) as far as it closed in this step, where a restitution is given: so it does not depend on
+    where in the step an impact begins."""
+    if rise is None:
+        return closing
+    begins = where(gap - dt * closing > 0.0, gap / dt, closing)
+    return begins if rise > 0.0 else closing
 
 
 @inlined

@@ -11,7 +11,7 @@ from masonry.jit.compiler import inlined, inner
 from masonry.jit.records import unpack
 from masonry.kinematics.planes import into, plane_of, turned
 from masonry.patches.arrays import DASHPOT, FRICTION, LEVEL, between, joint_of
-from masonry.patches.press import any_branches, clear, ease, four_of, places, respond
+from masonry.patches.press import any_branches, clear, ease, four_of, places, respond, rise_of
 from masonry.simd import FOUR, below, filled, four, total
 
 
@@ -55,7 +55,8 @@ def press_deforming(record):
             speed = dx * nx + dy * ny + dz * nz
             (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
                 *(points, joint, dashpot, s, k, below(count - k, four()), gap + slack),
-                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt, rules.keep, rules.gain),
+                *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
+                *(rules.keep, rules.gain, rise_of(rules.rise, pairs.law[p])),
             )
             friction, work, pressed = friction + by_friction, work + by_dashpot, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz

@@ -273,4 +273,15 @@ def set_dashpot(pairs, rules, search, p, area):
         a, b = pairs.body[p, 0], pairs.body[p, 1]
         one, two = search.mass[a], search.mass[b]
         hit = one * two / (one + two) if search.moves[a] and search.moves[b] else (one if search.moves[a] else two)
-        pairs.dashpot[p] = 2.0 * damping_ratio * sqrt(kn * hit / (1.0 if search.meshed else area))
+        behind = hit if search.meshed else hit / area
+        ratio = share_in_steps(rules.rise, pairs.law[p], damping_ratio, sqrt(kn / behind))
+        pairs.dashpot[p] = 2.0 * ratio * sqrt(kn * hit / (1.0 if search.meshed else area))
+
+
+@inner
+def share_in_steps(rise, law, ratio, omega):
+    """The share of critical that a dashpot needs in steps as they are: more where a restitution is given."""
+    if rise is None:
+        return ratio
+    omega = min(omega, rise[law, 2])
+    return ratio + rise[law, 0] * omega + rise[law, 1] * omega * omega

@@ -96,6 +96,8 @@ def _large_only(scene: Any) -> None:
     for group, contact in scene.contact.items():
         if contact.normal_dashpot is not None:
             raise KeyedError(f"contact.{group}.normal_dashpot", f"{only}; solver.damping serves both")
+        if contact.restitution is not None:
+            raise KeyedError(f"contact.{group}.restitution", f"{only}; [damping] serves both")
     if "default" in scene.contact:
         raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
     if scene.solver.until is not None:

@@ -97,6 +97,11 @@ WRONG = {
     "rotation": ({"top": LARGE, "more": GRAVITY + "[solver]\nrotation_limit = 0.1\n"}, "solver.rotation_limit: a run"),
     "slip": ({"top": LARGE, "more": GRAVITY + "[solver]\nslip_limit = 0.25\n"}, "solver.slip_limit: a run of"),
     "dashpot": ({"dashpot": "normal_dashpot = 0.2"}, 'unit_unit.normal_dashpot: needs displacements = "large"'),
+    "restitution": ({"dashpot": "restitution = 0.5"}, 'unit_unit.restitution: needs displacements = "large"'),
+    "restitution twice": (
+        {"top": LARGE, "dashpot": "restitution = 0.5\nnormal_dashpot = 0.2"},
+        "unit_unit.restitution: normal_dashpot and restitution exclude each other",
+    ),
     "dashpot 0": ({"top": LARGE, "dashpot": "normal_dashpot = 0"}, "normal_dashpot must be in (0, 100]"),
     "default": ({"contact": "default"}, 'contact.default: needs displacements = "large"'),
     "patches": ({"specimen": 'patch_points = "spread"'}, 'specimen.patch_points: needs displacements = "large"'),

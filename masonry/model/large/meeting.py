@@ -55,7 +55,11 @@ class Meetings:
     @property
     def step_fraction(self) -> float:
         """Of the stable step that dashpots leave, which act on velocities half a step old."""
-        damping_ratio = float(self.rules.dashpot.max(initial=0.0))
+        ratios = self.rules.dashpot
+        if self.rules.rise is not None:  # what its own step adds at most
+            length = np.minimum(2.0 * (np.hypot(1.0, ratios) - ratios), self.rules.rise[:, 2])
+            ratios = ratios + self.rules.rise[:, 0] * length + self.rules.rise[:, 1] * length**2
+        damping_ratio = float(ratios.max(initial=0.0))
         return float(np.sqrt(1.0 + damping_ratio**2) - damping_ratio)
 
     def dashpots(self, mass: np.ndarray) -> np.ndarray:
@@ -226,7 +230,7 @@ def near_of(
         pairs=no_pairs(room),
         before=no_pairs(room),
         points=no_points(room, most, meetings.branches),
-        rules=meetings.rules._replace(**no_branches(meetings.branches)),
+        rules=own_rules(meetings),
         motion=motion,
         search=search,
         footprint=no_footprint(most),
@@ -237,9 +241,12 @@ def near_of(
     return near, members
 
 
-def no_branches(count: int) -> dict[str, np.ndarray]:
-    """Of Rules: so many branches that bear nothing yet; nothing without any."""
-    return {"keep": np.zeros(count), "gain": np.zeros(count)} if count else {}
+def own_rules(meetings: Meetings) -> Rules:
+    """The rules of a model: with branches that bear nothing yet, and what restitution needs, which its steps change."""
+    rules, count = meetings.rules, meetings.branches
+    if count:
+        rules = rules._replace(keep=np.zeros(count), gain=np.zeros(count))
+    return rules if rules.rise is None else rules._replace(rise=rules.rise.copy())
 
 
 def keys(pairs: np.ndarray, count: int) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 import math
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import (
     SerializationInfo,
@@ -12,6 +12,7 @@ from pydantic import (
     model_validator,
 )
 
+from masonry.model.large.restitution import share_of_critical
 from masonry.quantity import convert
 from masonry.scene.tables.types import (
     SOFTEST,
@@ -21,6 +22,7 @@ from masonry.scene.tables.types import (
     Energy,
     EnergySlope,
     Exponent,
+    Given,
     KeyedError,
     Law,
     Length,
@@ -71,6 +73,7 @@ class Contact(Table):
     softening_variable: Literal["displacement", "plastic"] | None = None
     coupling: Literal["combined", "independent"] = "combined"
     normal_dashpot: Dashpot | None = None
+    restitution: Annotated[float | None, Given("number", "[0.1, 1)")] = None
 
     @property
     def law_keys(self) -> tuple[str, ...]:
@@ -88,6 +91,8 @@ class Contact(Table):
         values = {key: getattr(self, key) for key in keys}
         if self.normal_dashpot is not None:
             values["normal_dashpot"] = self.normal_dashpot
+        if self.restitution is not None:
+            values |= {"normal_dashpot": share_of_critical(self.restitution), "restitution": self.restitution}
         default = "plastic" if turns_back else "displacement"
         return {**values, "softening_variable": self.softening_variable or default}
 
@@ -126,6 +131,8 @@ class Contact(Table):
         ):
             if getattr(self, plain) is not None and getattr(self, tangent) is not None:
                 raise KeyedError(tangent, f"{plain} and {tangent} are two spellings of one property; keep one of them")
+        if self.normal_dashpot is not None and self.restitution is not None:
+            raise KeyedError("restitution", "normal_dashpot and restitution exclude each other; keep one of them")
         if 0.0 < self.shear_stiffness < SOFTEST:
             raise KeyedError("shear_stiffness", f"must be 0, or in [{SOFTEST:g}, 1e22]")
         if self.law == "elastic":
