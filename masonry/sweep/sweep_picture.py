@@ -1,8 +1,10 @@
 """sweep.png: the curves of all runs in one picture, coloured by what was varied."""
 
+import csv
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,7 +25,8 @@ ONE_COLOUR, FEW = "#1f3b5c", 10
 
 
 def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> None:
-    """Write sweep.png: stress against displacement of every run that came to its end. Raises OSError."""
+    """Write sweep.png: stress against displacement of every run that came to its end; where the ground moves, the first
+    gauge over time. Raises OSError."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 6), layout="constrained")
@@ -32,17 +35,24 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
     label, values = coloured_by(planned)
     colours, bar = _colours([values[n] for n in shown]) if shown and label else ([ONE_COLOUR] * len(shown), None)
     names: set[str] = set()
+    pair = _axes_of(planned[shown[0]]) if shown else PUSHED
     for n, colour in zip(shown, colours, strict=True):
-        displacement, stress = _curve(folder / "runs" / rows[n]["key"] / "curve.csv")
+        across, up = _curve(folder / "runs" / rows[n]["key"] / "curve.csv", pair)
         name = f"{values[n]}" if label and bar is None else ""
-        axes.plot(displacement * MILLI, stress * MEGA, color=colour, linewidth=1.2, label="" if name in names else name)
+        axes.plot(
+            across * pair[0].factor,
+            up * pair[1].factor,
+            color=colour,
+            linewidth=1.2,
+            label="" if name in names else name,
+        )
         names.add(name)
     if bar is not None:
         figure.colorbar(bar, ax=axes, label=plain(label))
     elif label and shown:
         axes.legend(title=plain(label), loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
-    axes.set_xlabel("displacement [mm]")
-    axes.set_ylabel("stress [MPa]")
+    axes.set_xlabel(plain(pair[0].label))
+    axes.set_ylabel(plain(pair[1].label))
     axes.grid(color="0.9", linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
     left_out = f", {len(rows) - len(shown)} without a curve" if len(shown) < len(rows) else ""
@@ -99,11 +109,35 @@ def _colours(values: list[Any]) -> tuple[list[Any], Any]:
     return [shades[known.index(str(value))] for value in values], None
 
 
-def _curve(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Displacement (m) and stress (Pa) of all rows of a curve.csv."""
+class _Axis(NamedTuple):
+    """The name of a column of curve.csv, without its unit, and how it is shown."""
+
+    column: str
+    label: str
+    factor: float
+
+
+PUSHED = _Axis("displacement", "displacement [mm]", MILLI), _Axis("stress", "stress [MPa]", MEGA)
+
+
+def _axes_of(run: Planned) -> tuple[_Axis, _Axis]:
+    """What is drawn against what: of a scene that is shaken, and has a gauge, that gauge over time."""
+    scene = tomllib.loads(run.job.resolved)
+    if not scene.get("ground") or not scene.get("gauge"):
+        return PUSHED
+    gauge = scene["gauge"][0]
+    quantity = gauge.get("quantity", "displacement")
+    unit, factor = {"displacement": ("mm", MILLI), "velocity": ("m/s", 1.0)}.get(quantity, ("m/s2", 1.0))
+    return _Axis("time", "time [s]", 1.0), _Axis(gauge["name"], f"{gauge['name']} [{unit}]", factor)
+
+
+def _curve(path: Path, pair: tuple[_Axis, _Axis]) -> tuple[np.ndarray, np.ndarray]:
+    """Two columns (rows,) of a curve.csv, SI."""
     try:
         lines = text_of(path, LARGEST).splitlines()
-        table = np.loadtxt(lines, delimiter=",", skiprows=1, usecols=(0, 1), ndmin=2)
+        names = [name.rpartition(" [")[0] for name in next(csv.reader(lines[:1]))]
+        places = [names.index(axis.column) for axis in pair]
+        table = np.loadtxt(lines, delimiter=",", skiprows=1, usecols=places, ndmin=2)
     except ValueError as error:
         raise SceneError(f"'{path}' is damaged ({f'{error}'[:200]}); remove its folder, and it is run again") from None
     if not np.all(np.abs(table) <= MOST):

@@ -7,6 +7,7 @@ from masonry.sweep import sweep_picture
 from masonry.sweep.job import Job
 from masonry.sweep.planned_runs import Planned
 from masonry.sweep.work import OK
+from tests.ground.test_ground_keys import BLOCK, SINE
 
 
 def planned(*runs):
@@ -33,6 +34,16 @@ def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, mo
     legend = axes.get_legend()
     assert legend.get_title().get_text() == "confinement, solver.damping"
     assert [text.get_text() for text in legend.get_texts()][:2] == ["0.1 MPa, 0.7", "0.1 MPa, 0.8"]
+
+
+def test_where_the_ground_moves_the_first_gauge_is_drawn_over_time(tmp_path):
+    (tmp_path / "block.toml").write_text(BLOCK)
+    keys = {"ground": SINE, "gauge": [{"name": "top left", "at": "block", "direction": "x"}]}
+    run = Planned(Job(tmp_path / "block.toml", keys), {}, {})
+    (tmp_path / "curve.csv").write_text("displacement [m],stress [Pa],top left [m],time [s]\n0,1,2,3\n0,1,4,5\n")
+    across, up = sweep_picture._curve(tmp_path / "curve.csv", pair := sweep_picture._axes_of(run))
+    assert across.tolist() == [3.0, 5.0] and up.tolist() == [2.0, 4.0]
+    assert [axis.label for axis in pair] == ["time [s]", "top left [mm]"]
 
 
 class Quiet:
