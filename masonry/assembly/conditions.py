@@ -10,12 +10,13 @@ from geometry.specimens.placed import FLOOR
 from masonry.assembly.fill import weight_of_fill
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
-from masonry.model.kinds import KIND
-from masonry.model.layout import DOFS, KINDS, Layout
-from masonry.model.start_velocities import velocities_of
+from masonry.model.kinds import KIND, velocities_of
+from masonry.model.layout import DOFS, KINDS, Layout, Material
+from masonry.model.quiet_faces import Drag, add_face
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene
+from masonry.scene.tables.dynamics.quiet_boundary import QuietBoundary
 from masonry.scene.tables.loads_and_supports import Drive
 
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -41,6 +42,8 @@ def conditions_of(
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
     _add_weight(scene, specimen, layout, conditions, density)
     _add_inertia(scene, specimen, layout, conditions, density)
+    if scene.quiet:
+        _add_quiet(scene, specimen, joints, layout, conditions)
     for k, fill in enumerate(scene.fill):
         chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
         load = weight_of_fill(fill, f"fill.{k}", specimen, joints, layout, chosen, -gravity.z if gravity else 0.0)
@@ -132,6 +135,37 @@ def _add_inertia(
         inertia: loads.Load = dict.fromkeys(KINDS)
         loads.add_gravity(layout, inertia, density, -np.eye(3)[AXES[axis]])
         _add_load(layout, conditions, f"ground {axis}", inertia, varies=True)
+
+
+def _add_quiet(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
+    """Dashpots on faces, and the stress of waves along each of their axes: their factors are velocities (m/s)."""
+    conditions.quiet = Drag()
+    for k, quiet in enumerate(scene.quiet):
+        where = f"quiet.{k}.on"
+        chosen, faces = select(specimen, joints, quiet.on, where)
+        if faces is None:
+            raise SceneError(f"{where} = '{quiet.on}': waves leave through faces, for example '{quiet.on}.z-'")
+        if not layout.deforms[chosen].all():
+            raise SceneError(
+                f"{where} = '{quiet.on}': rigid blocks have no waves; give them kinematics 'tets' or 'affine'"
+            )
+        push = {kind: np.zeros((layout.rows(kind), DOFS[kind], 3)) for kind in KINDS}
+        for face in faces.tolist():
+            block = int(specimen.blocks.face_block()[face])
+            group = specimen.blocks.groups[specimen.blocks.group[block]]
+            add_face(conditions.quiet, push, specimen.blocks, layout, face, impedance_of(scene, quiet, group))
+        for axis in () if quiet.wave is None else quiet.wave.components:
+            wave: loads.Load = {kind: rows[:, :, AXES[axis]] if len(rows) else None for kind, rows in push.items()}
+            _add_load(layout, conditions, f"quiet.{k} {axis}", wave, varies=True)
+
+
+def impedance_of(scene: Scene, quiet: QuietBoundary, group: str) -> tuple[float, float]:
+    """Rho c_p and rho c_s, Pa s/m, of what goes on behind the face of a block of a group."""
+    of = scene.material[group]
+    lame, mu = Material(of.density, of.young_modulus, of.poisson_ratio).lame()
+    density = of.density if quiet.density is None else quiet.density
+    p_speed, s_speed = float(np.sqrt((lame + 2.0 * mu) / of.density)), float(np.sqrt(mu / of.density))
+    return density * (quiet.p_speed or p_speed), density * (quiet.s_speed or s_speed)
 
 
 def _add_load(layout: Layout, conditions: loads.Conditions, name: str, load: loads.Load, varies: bool) -> None:

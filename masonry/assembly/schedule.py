@@ -29,6 +29,8 @@ TILTED = 1e-7
 """Of gravity: how far it may be from where it is turned to. A row reads its direction ten times as well as 1e-6 rad."""
 
 
+WAVE = 1e-5
+"""Of the largest velocity of a wave: how far it may be from the one that was given."""
 WAITING = 1e-3
 """Of its weight: what a layer has before its turn."""
 UP_TO = 100.0
@@ -64,17 +66,19 @@ def controlled(scene: Scene) -> Controlled:
 
 def program_of(scene: Scene, dt: float) -> Program:
     """What drive, dead loads and histories ask for, step by step."""
-    plan = with_ground(scene, in_layers(scene, _loading(scene, dt)), dt)
+    plan = with_waves(scene, with_ground(scene, in_layers(scene, _loading(scene, dt)), dt), dt)
     if scene.gravity is not None and scene.gravity.tilt is not None:
         plan = replace(plan, straight=TILTED)
     if scene.solver.until is not None:
         plan = replace(plan, rest_from=plan.steps)
     if (scene.motion or scene.swings) and plan.settle:
         plan = replace(plan, marks=np.union1d(plan.marks, [plan.settle]))
-    if scene.solver.duration is not None and not scene.ground:
+    if scene.solver.duration is not None and not (scene.ground or scene.waves):
         plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
     if scene.samples:
         plan = replace(plan, marks=np.zeros(0, dtype=np.int64), every=steps_between_rows(scene, plan, dt))
+    if not scene.has_dead_loads and plan.varying is not None:  # loads that vary act as they are from the first step on
+        plan = replace(plan, dead_load=np.ones_like(plan.dead_load))
     if scene.has_dead_loads and plan.settle == 0:  # the first half step of them is in the velocities: motion.begin
         plan = replace(plan, dead_load=np.where(np.arange(plan.steps + 1) > 0, 1.0, 0.0))
     return plan
@@ -139,6 +143,25 @@ def with_ground(scene: Scene, plan: Program, dt: float) -> Program:
     return replace(plan, varying=varying, kinks=np.unique(np.concatenate(kinks)))
 
 
+def with_waves(scene: Scene, plan: Program, dt: float) -> Program:
+    """The plan, with waves that come in through quiet boundaries: their velocities are factors of stresses."""
+    if not scene.waves:
+        return plan
+    if scene.solver.duration is None:
+        lasts = max(_steps_in(wave.runs_for, dt) + 1 for wave in scene.waves)
+        plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "quiet")
+    else:
+        plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
+    since = dt * (np.arange(plan.steps - plan.settle + 1) - 0.5)
+    factors = [
+        np.concatenate([np.zeros(plan.settle), motion.velocity_at(since - wave.begin)])
+        for wave in scene.waves
+        for motion in wave.motions.values()
+    ]
+    varying = np.array(factors) if plan.varying is None else np.concatenate([plan.varying, factors])
+    return replace(plan, varying=varying, straight=min(plan.straight, WAVE))
+
+
 def _velocities_of_base(scene: Scene, plan: Program, dt: float) -> np.ndarray:
     """(n + 1, C) m/s of each component, in the middle of the step that follows."""
     since = dt * np.arange(plan.steps - plan.settle + 1)
@@ -174,6 +197,7 @@ def tilt_at(scene: Scene, plan: Plan, steps: np.ndarray) -> np.ndarray | None:
         return None
     k = [name for name, (_, path) in scene.gravity.parts.items() if path is not None].index("gravity cos")
     shaken = 0 if scene.shaken is None else len(scene.shaken.components)
+    shaken += sum(len(wave.components) for wave in scene.waves)
     cos, sin = load_factors[len(load_factors) - shaken - len(scene.gravity.paths) + k :][:2]
     return np.asarray(np.arctan2(sin, cos))
 

@@ -20,6 +20,7 @@ from masonry.configuration.written import written_arrays, written_in_large
 from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
+from masonry.kernels.quiet import absorbing, remembering
 from masonry.kernels.shaking import shaking
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
@@ -67,6 +68,8 @@ class LargeDisplacement:
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
             *(large.near, large.members, shared, model.acting),
         )
+        if model.quiet is not None:
+            calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))
         calls = calls.followed_by(shaking(model.moved_supports, bodies))
         calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self.bearing.of(large.near)]
         return calls

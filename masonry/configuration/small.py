@@ -17,6 +17,7 @@ from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
+from masonry.kernels.quiet import absorbing, remembering
 from masonry.kernels.shaking import shaking
 from masonry.kernels.step import step
 from masonry.model.model import Model
@@ -54,6 +55,8 @@ class SmallDisplacement:
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
         calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting)
+        if model.quiet is not None:
+            calls = calls.around(remembering(model.quiet, model.bodies), absorbing(model.quiet, model.bodies, model.dt))
         return calls.followed_by(shaking(model.moved_supports, model.bodies))
 
     def let_patches_fade(self, acts: bool) -> None:

@@ -81,6 +81,9 @@ def written_arrays(model: Model) -> Arrays:
             arrays |= _fields(kind, WrittenOfBodies, body)
     if model.dashpots is not None:
         arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
+    for kind, rows in zip(model.layout.members, model.quiet or (), strict=False):
+        if rows is not None:
+            arrays[f"quiet.{kind}"] = rows.force
     for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in arrays.values()}
         arrays |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}

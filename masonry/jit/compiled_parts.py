@@ -119,6 +119,11 @@ class StepCalls:
         *sections, last = (self.calls[a:b] for a, b in pairwise(self.bounds))
         return StepCalls(*sections, [*last, *calls]) if calls else self
 
+    def around(self, first: Sequence[Call], last: Sequence[Call]) -> "StepCalls":
+        """With more calls with which a step begins, and more at its end."""
+        once, begins, *sections = (self.calls[a:b] for a, b in pairwise(self.bounds))
+        return StepCalls(once, [*first, *begins], *sections).followed_by(last)
+
     @property
     def is_compiled(self) -> bool:
         return all(call.is_compiled for call in self.all_calls)

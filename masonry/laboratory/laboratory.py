@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble, material_of
+from masonry.assembly.conditions import impedance_of, select
 from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
@@ -124,6 +125,7 @@ def check(scene: Scene) -> "Report":
         limited_by=model.limited_by,
         quality=quality_lines(assembly),
         masses=added_masses(assembly),
+        quiet=quiet_lines(assembly),
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),
         moved=moved_lines(assembly),
@@ -143,6 +145,30 @@ def added_masses(assembly: Assembly) -> list[str]:
     scene, specimen = assembly.scene, assembly.specimen
     materials = {group: material_of(scene, group) for group in specimen.blocks.groups}
     return added_mass_lines(scene, specimen, assembly.joints, materials)
+
+
+def quiet_lines(assembly: Assembly) -> list[str]:
+    """A line for each quiet boundary: what it answers with, and the wave that comes in."""
+    scene, blocks = assembly.scene, assembly.specimen.blocks
+    lines = []
+    for k, quiet in enumerate(scene.quiet):
+        chosen = select(assembly.specimen, assembly.joints, quiet.on, f"quiet.{k}.on")[0]
+        groups = sorted({blocks.groups[group] for group in blocks.group[chosen].tolist()})
+        pairs = [(group, impedance_of(scene, quiet, group)) for group in groups]
+        words = ", ".join(
+            f"rho c_p {z[0] * 1e-6:.4g} and rho c_s {z[1] * 1e-6:.4g} MPa s/m of '{group}'" for group, z in pairs
+        )
+        wave = (
+            ""
+            if quiet.wave is None
+            else "; a wave comes in of "
+            + ", ".join(
+                f"up to {motion.peak_velocity:.4g} m/s along {axis}, twice that at a free end"
+                for axis, motion in quiet.wave.motions.items()
+            )
+        )
+        lines.append(f"'{quiet.on}': {words}{wave}")
+    return lines
 
 
 def settling_text(assembly: Assembly) -> str:

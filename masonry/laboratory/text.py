@@ -45,6 +45,7 @@ class Report(Record):
     limited_by: str
     quality: dict[str, str]
     masses: list[str]
+    quiet: list[str]
     settling: str
     meeting: str
     moved: list[str]
@@ -83,6 +84,7 @@ def check_rows(report: Report) -> Rows:
         ("time step", [f"{report.time_step_s:.4g} s, limited by {report.limited_by}"]),
         *((word, [sentence]) for word, sentence in report.quality.items()),
         *([("masses", report.masses)] if report.masses else []),
+        *([("quiet", report.quiet)] if report.quiet else []),
         *([("settling", [report.settling])] if report.settling else []),
         *([("may meet", [report.meeting])] if report.meeting else []),
         *([("moved", report.moved)] if report.moved else []),

@@ -130,6 +130,8 @@ def _say(
         )
     if oscillator.scene.scatter is not None:
         result.remarks.append("the scatter of the scene is left out: means count")
+    if oscillator.scene.quiet:
+        result.remarks.append("quiet boundaries are left out: their faces are free")
     if oscillator.scene.drive is not None:
         result.remarks.append("what the drive moves is free: only supports hold")
     if len(result.frequencies) < wishes.count:

@@ -208,3 +208,18 @@ def dof_words(layout: Layout, kind: str, row: int, i: int) -> str:
     place = ", ".join(f"{x:.4g}" for x in layout.place[kind][row])
     what = f"movement along {'xyz'[i]}" if i < 3 else KIND[kind].beyond
     return f"{KIND[kind].words(layout, row)} at ({place}) m, {what}"
+
+
+def velocities_of(
+    layout: Layout, kind: str, rows: np.ndarray, velocity: np.ndarray, spin: np.ndarray, about: np.ndarray
+) -> np.ndarray:
+    """(n, dofs) of a rigid motion on rows of a kind: velocity (3,) m/s of the point `about` (3,) m, and spin (3,)
+    rad/s, in the dofs that v of these bodies has.
+
+    Rigid: velocity of the centroid along x, y, z, spin about the block's principal axes. Affine: velocity of the
+    centroid, then the rate of the gradient, rows along x, y, z and columns along the principal axes. Tets: velocity of
+    each node.
+    """
+    moves = velocity + np.cross(spin, layout.place[kind][rows] - about)
+    rates = KIND[kind].spin(layout.axes[layout.owner[kind][rows]], spin)
+    return np.concatenate([moves, rates], axis=1)

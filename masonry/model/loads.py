@@ -1,6 +1,7 @@
 """Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -29,6 +30,7 @@ class Conditions:
     that vary, one entry each, by kind, at a share of 1. And by name: masks of what each support and the drive hold, and
     each dead load at a share of 1, those that vary included.
 
+    quiet   dashpots of faces at which waves leave; None without any
     motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
     moved   per kind, (K, 3) row and number of the dofs that the ground moves, and which of its components does
@@ -42,6 +44,7 @@ class Conditions:
     varying: list[Load] = field(default_factory=list)
     held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     each_load: dict[str, Load] = field(default_factory=dict)
+    quiet: Any = None
     motion: dict[str, np.ndarray] | None = None
     spin: np.ndarray | None = None
     moved: dict[str, np.ndarray] = field(default_factory=dict)

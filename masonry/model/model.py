@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from masonry.kernels.quiet import QuietRows
 from masonry.kernels.shaking import ROOM, MovedSupports
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
@@ -34,6 +35,7 @@ from masonry.model.large.meeting import (
 from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.phase_sums import Outline, PhaseSums, Stiffness, sums_of_phases
+from masonry.model.quiet_faces import quiet_rows
 from masonry.model.step_cost import StepCost, step_cost
 from masonry.patches.branches import NO_DASHPOTS, Dashpots, dashpots_of
 from masonry.simd.rows import aligned
@@ -94,6 +96,7 @@ class Model:
     moved_supports: MovedSupports | None = None
     dashpots: Dashpots | None = None
     acting: Dashpots = NO_DASHPOTS
+    quiet: tuple[QuietRows | None, ...] | None = None
     parts: Any = field(default=None, init=False, repr=False, compare=False)
     configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
@@ -196,6 +199,7 @@ def build(
         phases=_phases(stepping, dt),
         moved_supports=_moved_supports(conditions),
         dashpots=_dashpots(stepping, dt, len(group)),
+        quiet=quiet_rows(conditions.quiet, layout, masses, conditions.prescribed, dt),
     )
     return model if meetings is None else enlarged(model, meetings, masses)
 

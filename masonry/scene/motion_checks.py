@@ -25,8 +25,7 @@ def require_fit(scene: Any) -> None:
         _damping(scene)
     if scene.gravity is not None:
         _gravity(scene)
-    if scene.ground:
-        _ground(scene)
+    _shaking(scene)
     if scene.limit is not None:
         _limit(scene)
     if scene.fill:
@@ -117,7 +116,7 @@ def _real_time(scene: Any) -> None:
     if scene.solver.sampling is not None and "rows" in scene.solver.model_fields_set:
         raise KeyedError("solver.sampling", "rows and sampling exclude each other; keep one of them")
     varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
-    timed = scene.drive is not None or bool(scene.ground) or varies
+    timed = scene.drive is not None or bool((*scene.ground, *scene.waves)) or varies
     if scene.motion and not timed and scene.solver.duration is None:
         raise KeyedError("solver.duration", "missing; without a drive it says how long the run takes, such as '2 s'")
     if scene.solver.until is not None and not timed and scene.solver.duration is None:
@@ -142,6 +141,14 @@ def _of_real_masses(scene: Any) -> None:
         raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
 
 
+def _shaking(scene: Any) -> None:
+    """What shakes it."""
+    if scene.ground:
+        _ground(scene)
+    if scene.quiet:
+        _quiet(scene)
+
+
 def _ground(scene: Any) -> None:
     """Ground that moves: real masses, something that it holds, and one frame or supports of their own."""
     if scene.solver.masses == "scaled":
@@ -159,6 +166,20 @@ def _ground(scene: Any) -> None:
     names = [ground.on for ground in scene.ground]
     if len(set(names)) < len(names):
         raise KeyedError("ground", "two of them move the same support; keep one, with all its components")
+
+
+def _quiet(scene: Any) -> None:
+    """Waves in real time, which bring the motion of the ground themselves; a dashpot bears no weight."""
+    if scene.solver.masses == "scaled":
+        raise KeyedError("solver.masses", "waves run in real time: scaled masses have others; leave it out")
+    if scene.is_controlled:
+        raise KeyedError("quiet", "an accuracy controls the drive only; give drive.steps or drive.rate")
+    if scene.grows:
+        raise KeyedError("quiet", "the load of [limit] grows alone; leave this out, or limit.accuracy")
+    if scene.ground:
+        raise KeyedError("quiet", "ground that moves as a whole has no waves: keep [ground], or give quiet.wave")
+    if scene.has_dead_loads and not scene.support and scene.floor is None:
+        raise KeyedError("quiet", "bears no weight, as dashpots do not: add a [[support]] that holds along the weight")
 
 
 def _each_ground(scene: Any) -> None:

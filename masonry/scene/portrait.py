@@ -30,17 +30,23 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("scatter", [f"{group}: {_words(values)}" for group, values in tables.get("scatter", {}).items()]),
         ("supports", [f"{support.on}: {', '.join(support.fix)}" for support in scene.support]),
         ("confinement", [_words(tables["confinement"])] if scene.confinement is not None else []),
-        ("traction", [_words(traction) for traction in tables.get("traction", ())]),
-        ("fill", [_words(fill) for fill in tables.get("fill", ())]),
-        ("masses", [_words(mass) for mass in tables.get("mass", ())]),
+        ("traction", _each(tables, "traction")),
+        ("fill", _each(tables, "fill")),
+        ("masses", _each(tables, "mass")),
         ("gravity", [_words(tables["gravity"])] if scene.gravity is not None else []),
-        ("motion", [_words(motion) for motion in tables.get("motion", ())]),
+        ("motion", _each(tables, "motion")),
+        ("quiet", _each(tables, "quiet")),
         ("floor", [_words(tables.get("floor", {})) or "below"] if scene.floor is not None else []),
         ("drive", [_words(tables["drive"])] if scene.drive is not None else []),
         ("gauges", [gauge.name for gauge in scene.gauge]),
         ("assumptions", [f"{len(scene.assumptions)}, see scene.assumptions"] if scene.assumptions else []),
     ]
     return [(word, lines) for word, lines in rows if lines]
+
+
+def _each(tables: dict[str, Any], name: str) -> list[str]:
+    """A line for each table of a list of them."""
+    return [_words(table) for table in tables.get(name, ())]
 
 
 def _title(scene: SceneData) -> str:

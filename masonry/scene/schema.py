@@ -11,6 +11,7 @@ from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.added_mass import AddedMass
 from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
+from masonry.scene.tables.dynamics.quiet_boundary import QuietBoundary
 from masonry.scene.tables.dynamics.swing import DampingTable
 from masonry.scene.tables.gauge import Curve, GaugeTable
 from masonry.scene.tables.gravity_and_floor import Floor, Gravity, InitialMotion
@@ -56,6 +57,7 @@ class SceneData(Table):
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None
+    quiet: tuple[QuietBoundary, ...] = ()
     ground: Annotated[tuple[Ground, ...], BeforeValidator(as_tables), WrapSerializer(as_written)] = ()
     damping: DampingTable | None = None
     settle: Settle | None = None
@@ -111,7 +113,7 @@ class SceneData(Table):
     @property
     def must_stand(self) -> bool:
         """Whether all of it must be held: what falls in large displacement lands, and a given time ends a flight."""
-        return not self.is_large and self.solver.duration is None
+        return not self.is_large and self.solver.duration is None and not self.quiet
 
     @property
     def has_dead_loads(self) -> bool:
@@ -136,7 +138,12 @@ class SceneData(Table):
     @property
     def swings(self) -> bool:
         """Whether other damping acts once the dead loads have settled: that of [damping], else none."""
-        return self.damping is not None or bool(self.ground)
+        return self.damping is not None or bool(self.ground) or bool(self.quiet)
+
+    @property
+    def waves(self) -> tuple[Ground, ...]:
+        """Motions that come in through quiet boundaries."""
+        return tuple(quiet.wave for quiet in self.quiet if quiet.wave is not None)
 
     @property
     def comes_in_layers(self) -> bool:
@@ -161,7 +168,7 @@ class SceneData(Table):
             loads += self.gravity.paths
         paths = [path.turning_points() for path in loads]
         paths += [] if self.limit is None or self.limit.history is None else [self.limit.history]
-        if self.ground:
+        if self.ground or self.waves:
             return True
         return any(len(path) > 1 for path in paths) or (self.drive is not None and len(self.drive.reversals) > 1)
 
@@ -211,8 +218,12 @@ class SceneData(Table):
     @model_validator(mode="before")
     @classmethod
     def _ground_moves_real_masses(cls, data: Any) -> Any:
-        """Where the ground moves, masses are the real ones unless a scene says otherwise."""
-        if isinstance(data, dict) and data.get("ground") and isinstance(solver := data.get("solver", {}), dict):
+        """Where the ground moves, or waves leave, masses are the real ones unless a scene says otherwise."""
+        if (
+            isinstance(data, dict)
+            and (data.get("ground") or data.get("quiet"))
+            and isinstance(solver := data.get("solver", {}), dict)
+        ):
             return {**data, "solver": {"masses": "real", **solver}}
         return data
 
@@ -221,7 +232,14 @@ class SceneData(Table):
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
-        if self.drive is None and not loads and not self.motion and not self.grows and not self.ground:
+        if (
+            self.drive is None
+            and not loads
+            and not self.motion
+            and not self.grows
+            and not self.ground
+            and not self.waves
+        ):
             raise KeyedError("drive", "missing; without a drive, traction, gravity or load that grows nothing happens")
         if self.is_controlled and self.solver.masses == "real":
             raise KeyedError(

@@ -12,6 +12,7 @@ HEAD = "| table | its keys |\n|---|---|\n"
 PLACES = {
     **{"": "Top of the file", "specimen.turned": "`[specimen]`", "gravity.tilt": "`[gravity]`"},
     **dict.fromkeys(("damping.rayleigh", "damping.maxwell"), "`[damping]`"),
+    **{"quiet.wave": "`[ground]`", "quiet.wave.made": "`[ground.made]`"},
     **dict.fromkeys(("specimen.cells", "specimen.mortar.cells", "specimen.core"), "Cells in place of a grid"),
     **{"specimen.mortar": 'kind = "couplet"', "specimen.opening": 'kind = "wall"', "specimen.box": 'kind = "boxes"'},
     **{"contact": "Keys", "scatter.GROUP": "`[scatter]`"},

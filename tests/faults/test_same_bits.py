@@ -22,6 +22,7 @@ from verification import scene_runs
 
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
 WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}
+ELASTIC = {"material.units.young_modulus": "10 GPa", "material.units.poisson_ratio": 0.2, "solver.rows": 30}
 TURNS = {"drive.accuracy": None, "drive.history": ["0.1 mm", "0 mm", "0.1 mm"], "drive.steps": 900}
 LED = {
     "settle.steps": 2000,
@@ -65,6 +66,9 @@ SCENES = {
     "supports that move": lambda: scene_runs.load("block-on-ground", {**SHAKEN, "ground.as": "base"}),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),
+    "a wave that leaves through a quiet boundary": lambda: scene_runs.load(
+        "stack", {"kinematics": "affine", "quiet": [{"on": "block 1.z+"}], **ELASTIC}
+    ),
     "a wall that cracks": lambda: load_scene(
         "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
     ),

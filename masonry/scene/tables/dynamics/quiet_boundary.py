@@ -1,0 +1,32 @@
+"""What a scene says of faces at which waves leave, and of a wave that comes in through them."""
+
+from typing import Annotated
+
+from pydantic import model_validator
+
+from masonry.scene.tables.dynamics.ground import Ground
+from masonry.scene.tables.loads_and_supports import Selector
+from masonry.scene.tables.types import Density, Given, KeyedError, Table
+
+WaveSpeed = Annotated[float, Given("velocity", "(0, 1e5]")]
+
+
+class QuietBoundary(Table):
+    """Faces of blocks that deform behind which the same goes on without an end.
+
+    density, p_speed, s_speed  kg/m3 and m/s of what goes on, those of the blocks' material where not given
+    wave  motion of a wave that comes in, along x, y, z as a point far inside of it would move: keys of [ground]
+    """
+
+    on: Selector
+    density: Density | None = None
+    p_speed: WaveSpeed | None = None
+    s_speed: WaveSpeed | None = None
+    wave: Ground | None = None
+
+    @model_validator(mode="after")
+    def _wave_is_a_motion(self) -> "QuietBoundary":
+        for key in ("on", "as"):
+            if self.wave is not None and key in self.wave.model_fields_set:
+                raise KeyedError(f"wave.{key}", "a wave comes in through the faces of its table; leave it out")
+        return self
