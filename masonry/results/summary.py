@@ -317,6 +317,7 @@ class Movements(Record):
     met: str | None = None
     in_real_time: bool | None = None
     damping_after_settling: str | None = None
+    free_swings: dict[str, Any] | None = None
     collapse: FirstFall | None = one_of(FirstFall)
     collapse_load: CollapseLoad | None = one_of(CollapseLoad)
     shaking: Shaking | None = one_of(Shaking)

@@ -5,6 +5,7 @@ import pytest
 
 from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory import laboratory
+from masonry.laboratory.summary.free_swing import swing
 from tests.scenes import load
 
 SCENE = """
@@ -77,3 +78,14 @@ def test_what_damps_after_the_settling_is_what_the_scene_says(damping, ratio, to
         assert found > 0.2, "solver.damping goes on"
     else:
         assert found == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
+        assert summary["free_swings"]["z"]["ratio"] == pytest.approx(ratio, abs=max(tolerance, 2e-5))
+        assert summary["free_swings"]["z"]["frequency_hz"] == pytest.approx(HZ, rel=0.1)
+
+
+def test_what_does_not_swing_has_no_ratio():
+    time = np.linspace(0.0, 10.0, 2000)
+    assert swing(time, np.exp(-time)) is None
+    assert swing(time, np.sin(time**2)) is None, "its half swings get shorter"
+    assert swing(time, np.random.default_rng(1).normal(size=2000)) is None
+    damped = 3.0 + np.exp(-0.5 * time) * np.cos(8.0 * time)
+    assert swing(time, damped)["ratio"] == pytest.approx(0.5 / np.hypot(8.0, 0.5), rel=1e-3)

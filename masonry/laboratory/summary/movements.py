@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
+from masonry.laboratory.summary.free_swing import free_swings
 from masonry.laboratory.summary.moved_drive import moved_drive
 from masonry.laboratory.summary.shaken_specimen import shaking
 from masonry.model.damping import swing_of
@@ -30,6 +31,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
         overlap_max=float(observed["overlap"].max()),
         met=outcome.found.get("met", ""),
         in_real_time=not assembly.model.scaled if large or scene.swings else None,
+        free_swings=free_swings(assembly, outcome),
         damping_after_settling=swing_of(scene.damping).words if scene.swings else None,
         collapse=_collapse(assembly, outcome) if large else None,
         collapse_load=None if grown is None else CollapseLoad.read(grown),
