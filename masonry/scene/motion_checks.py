@@ -157,7 +157,7 @@ def _ground(scene: Any) -> None:
             "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; leave it out",
         )
     if scene.is_controlled:
-        raise KeyedError("ground", "an accuracy controls the drive only; give drive.steps or drive.rate")
+        raise KeyedError("drive.accuracy", "takes no time; beside [ground] give drive.rate, or a history with times")
     if scene.grows:
         raise KeyedError("ground", "the load of [limit] grows alone; leave this out, or limit.accuracy")
     if not scene.support and scene.floor is None:

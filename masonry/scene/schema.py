@@ -241,7 +241,7 @@ class SceneData(Table):
             and not self.waves
         ):
             raise KeyedError("drive", "missing; without a drive, traction, gravity or load that grows nothing happens")
-        if self.is_controlled and self.solver.masses == "real":
+        if self.is_controlled and self.solver.masses == "real" and not self.ground:
             raise KeyedError(
                 "solver.masses", "real masses move in real time; give drive.rate, or leave masses = 'scaled'"
             )
