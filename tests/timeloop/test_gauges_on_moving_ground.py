@@ -100,3 +100,31 @@ def test_a_stone_without_friction_stays_where_it_is():
     rows = shaken(friction=0.0).history.rows
     assert np.abs(rows["acceleration stone"]).max() < 1e-3 * 0.5 * G
     assert np.abs(rows["displacement stone"]).max() > 0.3
+
+
+def test_the_summary_tells_what_the_ground_did_and_what_it_did():
+    """All that comes in while the stone slides goes into friction and motion; it presses with its weight, 3.923 kN."""
+    result = shaken()
+    told, rows = result.summary.shaking, result.history.rows
+    assert told.ground["x"].peak_acceleration_m_s2 == pytest.approx(0.5 * G)
+    assert told.ground["x"].peak_velocity_m_s == pytest.approx(0.5 * G / np.pi, rel=1e-4)
+    assert told.gauges["displacement stone"].peak == pytest.approx(rows["displacement stone"].max())
+    assert told.gauges["displacement stone"].residual == pytest.approx(rows["displacement stone"][-1])
+    assert told.gauges["acceleration floor"].peak == pytest.approx(-0.5 * G, rel=1e-3)
+    first = int(np.searchsorted(rows["time"], told.settled_s))
+    gained = sum(rows[name] - rows[name][first] for name in ("friction", "kinetic", "elastic_contacts", "dashpot"))
+    assert np.allclose(rows["input_energy"][first:], gained[first:], atol=1e-3 * rows["input_energy"].max())
+    assert told.input_energy_j == rows["input_energy"][-1]
+    weight = 400.0 * G
+    assert told.largest_force.force_n == pytest.approx(weight * np.hypot(1.0, 0.2), rel=2e-3)
+    assert told.largest_force.between == "blocks 0 and 1 (units and floor)"
+    assert told.uplift.opening_m < 1e-6
+    assert 200.0 <= told.rows_a_second < 210.0
+
+
+def test_words_of_a_shaken_run_speak_of_the_ground_and_of_no_peak_stress():
+    words = repr(shaken())
+    assert "along x for 1 s: at most 0.5 g, 1.561 m/s and 780.4 mm; 780.4 mm away at its end" in words
+    assert "by the forces of inertia, in motion relative to the ground" in words
+    assert "the specimen still moved at the end" in words
+    assert not any(word in words for word in ("peak stress", "cycles", "hysteresis"))
