@@ -7,13 +7,13 @@ import numpy as np
 import scipy.sparse as sparse
 
 DENSE = 240
-"""Dofs up to which all modes are found at once."""
+"""Dofs up to which all modes are computed at once."""
 SHIFT = 1e-11
 """Of the stiffest dof's square frequency, by which all are raised, so that what is loose can be solved for."""
 LOOSE = 1e-16
 """Of the same: square frequencies below it are those of parts that nothing holds."""
 BESIDE = 3
-"""Modes that are looked for besides, each time: one that is missed among equal frequencies is found by them."""
+"""Modes that are looked for besides, each time: they show one that is missed among equal frequencies."""
 SEED = 2718
 
 

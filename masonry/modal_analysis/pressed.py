@@ -48,8 +48,8 @@ def pressed(oscillator: Oscillator) -> Pressed:
         closed = after
     else:
         raise SceneError(
-            f"which joints press is not found in {ROUNDS} rounds: run the scene, whose settling decides, or leave out "
-            "--pressed"
+            f"which joints press is not settled in {ROUNDS} rounds: run the scene, whose settling decides, or leave "
+            "out --pressed"
         )
     shear = oscillator.shear * np.linalg.norm(jump[:, 1:], axis=1)
     holds = np.isinf(friction)

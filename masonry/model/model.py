@@ -15,6 +15,7 @@ from masonry.model.body_arrays import (
     Bodies,
     Contacts,
     Groups,
+    SideRows,
     bodies_of,
     group_state,
     in_rows,
@@ -157,9 +158,7 @@ def build(
     names, group = contact_groups(blocks, joints)
     sides, length = _sides(layout, joints)
     stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
-    if density is None:
-        density = np.array([materials[g].density for g in blocks.groups])[blocks.group]
-    real = real_masses(layout, density)
+    real = real_masses(layout, _density(blocks, materials) if density is None else density)
     outline, phases = (
         Outline(layout, sides, length, joints.normal),
         (local_damping(stepping.damping), stepping.swing),
@@ -178,9 +177,7 @@ def build(
         group=group,
         state=state,
         groups=groups,
-        contacts=Contacts(
-            side_rows.sides, aligned(joints.normal), aligned(joints.area), u, in_rows(np.zeros((len(group), 3)))
-        ),
+        contacts=_contacts(side_rows, joints, u),
         bodies=bodies_of(layout, conditions, masses, dt, stiffness.lame, side_rows, expects_motion(stepping.damping)),
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
@@ -202,6 +199,17 @@ def build(
         quiet=quiet_rows(conditions.quiet, layout, masses, conditions.prescribed, dt),
     )
     return model if meetings is None else enlarged(model, meetings, masses)
+
+
+def _density(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
+    """(B,) kg/m3 of the materials."""
+    return np.array([materials[g].density for g in blocks.groups])[blocks.group]
+
+
+def _contacts(side_rows: SideRows, joints: Joints, u: np.ndarray) -> Contacts:
+    """Contacts without a force yet."""
+    force = in_rows(np.zeros((len(joints.area), 3)))
+    return Contacts(side_rows.sides, aligned(joints.normal), aligned(joints.area), u, force)
 
 
 def _sides(layout: Layout, joints: Joints) -> tuple[tuple[stable_step.Side, stable_step.Side], np.ndarray]:
