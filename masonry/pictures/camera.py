@@ -53,7 +53,7 @@ def camera_of(view: str, specimen: Specimen, moved: Sequence[np.ndarray] = ()) -
 
 def usual_view(result: "ResultData") -> str:
     """The view of a result where none is asked for: the side, where in large displacement it falls along what the front
-    looks along; else the front."""
+    looks along, or swings that way as the ground shakes; else the front."""
     if not result.is_large:
         return "front"
     blocks, moved = result.specimen.blocks, [frame.corners for frame in result.history.frames]
@@ -62,7 +62,8 @@ def usual_view(result: "ResultData") -> str:
     farthest = np.max([np.abs(corners[own]).max(axis=0) for corners in moved], axis=0, initial=0.0)
     level = farthest * [1.0, 1.0, 0.0]
     along, across = (float(level @ np.abs(direction)) for direction in (front.right, front.toward))
-    return "side" if across > max(FALLS * front.size, 2.0 * along) else "front"
+    least = 0.0 if result.is_shaken else FALLS * front.size
+    return "side" if across > max(least, 2.0 * along) else "front"
 
 
 def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
