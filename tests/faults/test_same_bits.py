@@ -15,6 +15,7 @@ from masonry.scene import load as load_scene
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
 from tests.large.test_invariance import scene as toppling
+from tests.loading.test_swing import SCENE as SWING
 from tests.model.test_motion import GRAVITY, flight, standing
 from tests.scenes import load
 from tests.timeloop.test_loop import couplet
@@ -44,6 +45,7 @@ SHAKEN = {
     "ground.x": "0.5 g * sin(2 pi t / 0.01 s)",
     "ground.duration": "0.01 s",
 }
+DASHPOTS = '[damping]\nstiffness = "2e-5 s"\nmaxwell = {ratio = "5 %", between = ["1e2 Hz", "1e3 Hz"]}\n'
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
@@ -64,6 +66,9 @@ SCENES = {
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "ground that moves": lambda: scene_runs.load("block-on-ground", SHAKEN),
     "supports that move": lambda: scene_runs.load("block-on-ground", {**SHAKEN, "ground.as": "base"}),
+    "dashpots after the settling": lambda: load(SWING.format(damping=DASHPOTS)).with_(
+        {"solver.rows": 30, "solver.step_fraction": 0.3, "settle.steps": 300}
+    ),
     "a flight": lambda: flight(gravity=GRAVITY),
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),
     "a wave that leaves through a quiet boundary": lambda: scene_runs.load(
