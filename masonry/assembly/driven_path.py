@@ -16,7 +16,7 @@ def path_in_time(scene: Scene) -> Timed | None:
     drive = scene.drive
     if drive is None or (path := drive.path) is None:
         return None
-    if scene.solver.masses != "real" or isinstance(drive.history, str):
+    table = np.array([] if isinstance(drive.history, str) else drive.history)
+    if scene.solver.masses != "real" or len(table) <= 2:  # two rows: a passage at one speed
         return path
-    table = np.array(drive.history)
     return Timed(path.duration, from_displacement(table[:, 0], table[:, 1]).displacement_at)

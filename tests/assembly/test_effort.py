@@ -14,7 +14,7 @@ STEPS = {
     "arch-own-weight": 20000,
     "arch-shaken": 673802,
     "arch-spread": 51348,
-    "arch-spreading": 2146010,
+    "arch-spreading": 2248506,
     "arch-tilted": 2830625,
     "bending-0": 67176,
     "bending-025": 74528,

@@ -20,7 +20,7 @@ def doubts(assembly: Assembly) -> list[Doubt]:
     drive, model = assembly.scene.drive, assembly.model
     if drive is None or model.scaled or drive.accuracy is not None or drive.path is None:
         return []
-    if isinstance(drive.history, str):
+    if isinstance(drive.history, str) or drive.history is None or len(drive.history) <= 2:
         return []
     made, meant = accelerations(np.array(drive.history))
     stretch = drive.path.duration / (drive.steps * model.dt) if drive.steps else 1.0
