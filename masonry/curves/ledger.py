@@ -23,6 +23,13 @@ SHOWS = 1e-3
 """Share of the external work from which on they are."""
 
 
+WORKS: dict[str, dict[str, Any]] = {
+    "external_work": {"color": "black", "linewidth": 1.4, "label": "external work"},
+    INPUT_ENERGY: {"linestyle": "--", "color": "#b2182b", "linewidth": 1.0, "label": "input of the ground"},
+}
+"""Lines over the areas."""
+
+
 def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray) -> None:
     """Stacked areas of the terms that there are; one that is clearly negative somewhere is drawn as a line."""
     terms = {name: rows[name] for name in LEDGER if name in rows and rows[name].any()}
@@ -47,7 +54,5 @@ def draw_ledger(axes: Any, rows: dict[str, np.ndarray], displacement: np.ndarray
         if name not in stacked:
             label, colour = key[name]
             axes.plot(displacement, terms[name], ":", color=colour, linewidth=2.0, label=f"{label} (not stacked)")
-    if "external_work" in rows:
-        axes.plot(displacement, rows["external_work"], color="black", linewidth=1.4, label="external work")
-    if INPUT_ENERGY in rows:
-        axes.plot(displacement, rows[INPUT_ENERGY], "--", color="#b2182b", linewidth=1.0, label="input of the ground")
+    for name in filter(rows.__contains__, WORKS):
+        axes.plot(displacement, rows[name], **WORKS[name])

@@ -66,18 +66,18 @@ def response_spectrum(
     )
 
 
-class Peaks(NamedTuple):
+class LargestSwings(NamedTuple):
     """When the displacement of each oscillator is largest, (n,) s, and what it is then, (n,) m, with its sign."""
 
     time: np.ndarray
     displacement: np.ndarray
 
 
-def peaks(time: np.ndarray, acceleration: np.ndarray, periods: np.ndarray, damping: float = 0.05) -> Peaks:
+def peaks(time: np.ndarray, acceleration: np.ndarray, periods: np.ndarray, damping: float = 0.05) -> LargestSwings:
     """As `response_spectrum`: the peaks themselves."""
     time, acceleration, periods = (np.asarray(each, dtype=float) for each in (time, acceleration, periods))
     _require(time, acceleration, periods, damping)
-    largest = Peaks(np.zeros(periods.shape), np.zeros(periods.shape))
+    largest = LargestSwings(np.zeros(periods.shape), np.zeros(periods.shape))
     parts = _divisions(np.diff(time).max(), periods)
     for part in np.unique(parts):
         members = np.flatnonzero(parts == part)
@@ -158,13 +158,13 @@ def _refined(time: np.ndarray, acceleration: np.ndarray, parts: int) -> tuple[np
     return fine, np.interp(fine, time, acceleration)
 
 
-def _peaks(time: np.ndarray, acceleration: np.ndarray, rates: np.ndarray, damping: float) -> Peaks:
+def _peaks(time: np.ndarray, acceleration: np.ndarray, rates: np.ndarray, damping: float) -> LargestSwings:
     z = oscillations(time, acceleration, rates, damping)
     u = displacements(z, rates, damping)
     size = np.abs(u)
     top = size.argmax(axis=0)
     every = np.arange(len(rates))
-    largest = Peaks(time[top], u[top, every])
+    largest = LargestSwings(time[top], u[top, every])
     near = size >= NEAR * size[top, every]
     row, column = np.nonzero(near[:-1] | near[1:])
     v, v_end = (velocities(z[at, column], rates[column], damping) for at in (row, row + 1))
@@ -177,7 +177,7 @@ def _peaks(time: np.ndarray, acceleration: np.ndarray, rates: np.ndarray, dampin
     return largest
 
 
-def _replace(largest: Peaks, column: np.ndarray, time: np.ndarray, displacement: np.ndarray) -> None:
+def _replace(largest: LargestSwings, column: np.ndarray, time: np.ndarray, displacement: np.ndarray) -> None:
     """Put displacements in the place of those that are less; several may be of one oscillator."""
     order = np.argsort(np.abs(displacement), kind="stable")  # of several the last one stays, the largest
     order = order[np.abs(displacement[order]) > np.abs(largest.displacement[column[order]])]

@@ -232,14 +232,8 @@ class SceneData(Table):
         loads = self.has_dead_loads
         if self.settle is not None and not loads:
             raise KeyedError("settle", "there is no traction and no gravity to settle; leave this table out")
-        if (
-            self.drive is None
-            and not loads
-            and not self.motion
-            and not self.grows
-            and not self.ground
-            and not self.waves
-        ):
+        moved_by = (self.drive, self.motion, self.ground, self.waves)
+        if not loads and not self.grows and not any(moved_by):
             raise KeyedError("drive", "missing; without a drive, traction, gravity or load that grows nothing happens")
         if self.is_controlled and self.solver.masses == "real" and not self.ground:
             raise KeyedError(

@@ -72,12 +72,12 @@ def decay(damping: str) -> tuple[float, dict]:
     ],
 )
 def test_what_damps_after_the_settling_is_what_the_scene_says(damping, ratio, tolerance):
-    found, summary = decay(damping)
+    measured, summary = decay(damping)
     assert (summary["damping_after_settling"] is None) == (damping == "")
     if ratio is None:
-        assert found > 0.2, "solver.damping goes on"
+        assert measured > 0.2, "solver.damping goes on"
     else:
-        assert found == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
+        assert measured == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
         assert summary["free_swings"]["z"]["ratio"] == pytest.approx(ratio, abs=max(tolerance, 2e-5))
         assert summary["free_swings"]["z"]["frequency_hz"] == pytest.approx(HZ, rel=0.1)
 

@@ -11,7 +11,17 @@ FUNCTIONS = sorted(name for name, _ in inspect.getmembers(masonry, inspect.isfun
 
 
 def test_these_are_the_functions_that_a_user_has():
-    assert FUNCTIONS == ["check", "limit", "load", "load_result", "run", "scenes", "sensitivity", "write_blocks"]
+    assert FUNCTIONS == [
+        "check",
+        "limit",
+        "load",
+        "load_result",
+        "modes",
+        "run",
+        "scenes",
+        "sensitivity",
+        "write_blocks",
+    ]
 
 
 @pytest.mark.parametrize("name", ["masonry", *FUNCTIONS])
