@@ -16,4 +16,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     if found["collapse"] is None and found["left_floor"] is None:
         return []
     sentence = "blocks fell, and no impact lost energy: what hits the ground bounces, and may knock down what stood"
-    return [Doubt("hard_impacts", 0.0, None, sentence, "give contacts a normal_dashpot, such as 1")]
+    return [Doubt("hard_impacts", 0.0, None, sentence, "give contacts a restitution, or a normal_dashpot")]
