@@ -127,11 +127,7 @@ def with_ground(scene: Scene, plan: Program, dt: float) -> Program:
     """
     if not scene.ground:
         return plan
-    if scene.solver.duration is None:
-        lasts = max(_steps_in(ground.runs_for, dt) + 1 for ground in scene.ground)
-        plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "ground")
-    else:
-        plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
+    plan = _going_on_as_long(scene, plan, [ground.runs_for for ground in scene.ground], dt, "ground")
     if scene.shaken is None:
         return replace(plan, base=_velocities_of_base(scene, plan, dt))
     factors, kinks = [], [plan.kinks]
@@ -147,11 +143,7 @@ def with_waves(scene: Scene, plan: Program, dt: float) -> Program:
     """The plan, with waves that come in through quiet boundaries: their velocities are factors of stresses."""
     if not scene.waves:
         return plan
-    if scene.solver.duration is None:
-        lasts = max(_steps_in(wave.runs_for, dt) + 1 for wave in scene.waves)
-        plan = _going_on(plan, max(lasts, plan.steps - plan.settle), dt, "quiet")
-    else:
-        plan = _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
+    plan = _going_on_as_long(scene, plan, [wave.runs_for for wave in scene.waves], dt, "quiet")
     since = dt * (np.arange(plan.steps - plan.settle + 1) - 0.5)
     factors = [
         np.concatenate([np.zeros(plan.settle), motion.velocity_at(since - wave.begin)])
@@ -169,6 +161,14 @@ def _velocities_of_base(scene: Scene, plan: Program, dt: float) -> np.ndarray:
         motion.velocity_at(since - ground.begin) for ground in scene.moved_grounds for motion in ground.motions.values()
     ]
     return np.pad(np.column_stack(moving), ((plan.settle, 0), (0, 0)))
+
+
+def _going_on_as_long(scene: Scene, plan: Program, durations: list[float], dt: float, key: str) -> Program:
+    """A plan that goes on as long as the longest motion (s) of a table, `key`, unless the scene says when it ends."""
+    if scene.solver.duration is not None:
+        return _going_on(plan, _steps_in(scene.solver.duration, dt), dt)
+    lasts = _steps_in(max(durations), dt) + 1
+    return _going_on(plan, max(lasts, plan.steps - plan.settle), dt, key)
 
 
 def _going_on(plan: Program, steps: int, dt: float, key: str = "solver.duration") -> Program:
