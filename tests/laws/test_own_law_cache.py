@@ -20,7 +20,7 @@ SHORT = ["settle.steps=100", "drive.displacement=0.1 mm", "drive.steps=6000", "s
 BILINEAR = ["law=bilinear", "contact.unit_unit.opening_at_knee=8 um", "contact.unit_unit.share_at_knee=0.3"]
 OURS = ["law=linear"]
 ENERGY = 'print(json.dumps([compiled, [result.summary["energy_j"]["fracture_mode_1"] / result.summary["section_m2"], '
-MORE = 'result.summary["peak_stress_pa"], result.summary["dissipation_mismatch"]], tools]))'
+MORE = 'result.summary["peak_stress_pa"], result.summary["dissipation_mismatch"]], tools, kept]))'
 
 
 class Here:
@@ -59,7 +59,7 @@ def test_a_couplet_that_is_pulled_apart_spends_the_energy_of_its_law(used):
 
 def test_a_second_process_compiles_nothing(used):
     here, first = used
-    assert here.run() == Ran([], first.stress, tools=False)
+    assert here.run() == Ran([], first.stress, tools=False, kept=[])
 
 
 @pytest.mark.slow

@@ -7,7 +7,7 @@ from masonry.kinematics import deforming, deforming_tets
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
-from masonry.model import model, stable_step
+from masonry.model import phase_sums, stable_step
 from masonry.model.large import row_sums as large_sums
 from masonry.model.large.bodies import large
 from masonry.model.layout import Material
@@ -40,7 +40,7 @@ def with_large_sums(monkeypatch) -> dict:
             seen.update(lame=lame)
             large_sums.tet_row_sums(sums, layout, lame, seen.get("stretch", 1.0))
 
-    monkeypatch.setattr(model, "stable_step", Sums())
+    monkeypatch.setattr(phase_sums, "stable_step", Sums())
     return seen
 
 

@@ -131,7 +131,9 @@ def _shove(rounds, sides, by, u, sweeps, parameters, joint, state, normal, area,
             u[b, 1] += by[c, 1]
             u[b, 2] += by[c, 2]
         if sweeps:
-            sweep(None, parameters, joint, state, 0, len(by), sides, normal, area, u, force)
+            sweep(
+                None, parameters, joint, state, 0, len(by), sides, normal, area, u, force, None, None, None, None, None
+            )
 
 
 def sweeping(model: Model, by: np.ndarray, rounds: int, sweeps: bool = True) -> Callable[[], None]:
