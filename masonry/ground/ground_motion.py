@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
 STRAIGHT = 1e-5
 """Of its peak: how far a formula may leave the straight lines between the samples that are taken of it."""
@@ -149,6 +148,8 @@ def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) ->
     """
     velocity = _from_rest(time, velocity, line, "velocity", "m/s")
     knots = np.concatenate([[time[0]] * 3, 0.5 * (time[1:] + time[:-1]), [time[-1]] * 3])
+    from scipy.interpolate import make_interp_spline
+
     spline = make_interp_spline(time, velocity, k=2, t=knots, bc_type=([(1, 0.0)], [(1, 0.0)]))
     places = spline.antiderivative()
     at = np.concatenate([time[:1], knots[3:-3], time[-1:]])
@@ -171,6 +172,8 @@ def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = F
         inner = np.concatenate([[halves[0]], time[1:-1], [halves[1]]])
     knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
     rest = [(1, 0.0), (2, 0.0)]
+    from scipy.interpolate import make_interp_spline
+
     spline = make_interp_spline(time, displacement, k=3, t=knots, bc_type=(rest, rest))
     at = np.concatenate([time[:1], inner, time[-1:]])
     return Motion(at, spline(at, 2), spline(at, 1), spline(at))

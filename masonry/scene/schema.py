@@ -211,6 +211,8 @@ class SceneData(Table):
                 del data["solver"][key]
         if self.samples and "rows" not in self.solver.model_fields_set:
             del data["solver"]["rows"]
+        if self.sampling is not None:  # it says how many rows there are
+            data["solver"].pop("rows", None)
         if not self.is_large:
             del data["displacements"]
         return {key: value for key, value in data.items() if value not in ((), {}) or key == "floor"}

@@ -126,3 +126,10 @@ def test_a_record_that_cannot_be_read_is_told_with_its_file(tmp_path, record):
     ):
         with pytest.raises(SceneError, match=says):
             laboratory.check(scene(tmp_path, {**record, **keys}))
+
+
+@pytest.mark.parametrize("name", ["block-shaken", "tower-shaken"])
+def test_a_shaken_scene_that_is_written_out_has_the_same_rows(name, tmp_path):
+    scene, path = load(name), tmp_path / "scene.toml"
+    path.write_text(to_toml(scene), encoding="utf-8")
+    assert load(path).sampling == scene.sampling is not None

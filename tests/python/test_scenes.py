@@ -30,7 +30,7 @@ def test_a_changed_scene_is_the_one_that_is_loaded_with_the_same_settings(settin
 def test_every_packaged_scene_stays_itself_where_nothing_is_changed(name):
     scene = masonry.load(name)
     assert scene.with_() == scene
-    assert scene.with_({"solver.rows": 77}) == masonry.load(name, {"solver.rows": 77})
+    assert scene.with_({"solver.frames": 77}) == masonry.load(name, {"solver.frames": 77})
 
 
 def test_one_change_after_another_is_as_good_as_both_at_once():

@@ -90,5 +90,5 @@ def test_the_results_name_every_column_of_the_curve_and_no_other():
 def test_the_reference_has_an_example_of_boxes_and_one_of_a_wallette_with_affine_units():
     examples = [tomllib.loads(block.text) for block in blocks("docs/scene.md") if block.language == "toml"]
     whole = [example for example in examples if "kind" in example.get("specimen", {})]
-    assert [example["specimen"]["kind"] for example in whole] == ["boxes", "wallette"]
-    assert whole[1]["kinematics"]["default"] == "affine"
+    assert [example["specimen"]["kind"] for example in whole] == ["boxes", "boxes", "wallette"]
+    assert whole[-1]["kinematics"]["default"] == "affine"

@@ -8,10 +8,12 @@ from verification.catalogue import catalogue
 from verification.scene_runs import FOLDER, load, run, source_of, text_of
 from verification.studies.refinement import problems
 
+MADE = ("column-with-quiet-ends",)
+"""Scenes whose blocks are made by their case."""
 NAMES = sorted(file.stem for file in FOLDER.glob("*.toml"))
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in MADE])
 def test_each_scene_can_be_built_and_has_a_name_of_its_own(name):
     report = laboratory.check(load(name))
     assert (report["blocks"] > 1 and report["contact_points"] > 0) or load(name).motion, "alone it flies"

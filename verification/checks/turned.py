@@ -171,12 +171,13 @@ class _Turned:
         def there(place: Place) -> Place:
             return replace(place, block=number[place.block], point=place.point @ self.turn.matrix.T)
 
-        def made(name: str, _: Layout, at: Place, still: Place | None, axis: int, sign: float) -> Gauge:
+        def made(name: str, _: Layout, at: Place, still: Place | None, axis: int, sign: float, quantity: str) -> Gauge:
             word = ("-" if sign < 0.0 else "") + "xyz"[axis]
             with suppress(NoSuchScene) if name not in steers else nullcontext():
                 word = self.turn.direction(word)
             base = None if still is None else there(still)
-            return gauge(name, layout, there(at), base, "xyz".index(word[-1]), -1.0 if word[0] == "-" else 1.0)
+            sign = -1.0 if word[0] == "-" else 1.0
+            return gauge(name, layout, there(at), base, "xyz".index(word[-1]), sign, quantity)
 
         with patch.object(gauge_places, "gauge", made):
             return gauge_places.gauges_of(self.scene, old.specimen, old.joints, old.layout)
