@@ -159,10 +159,8 @@ def build(
     sides, length = _sides(layout, joints)
     stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
     real = real_masses(layout, _density(blocks, materials) if density is None else density)
-    outline, phases = (
-        Outline(layout, sides, length, joints.normal),
-        (local_damping(stepping.damping), stepping.swing),
-    )
+    outline = Outline(layout, sides, length, joints.normal)
+    phases = local_damping(stepping.damping), stepping.swing
     sums = sums_of_phases(blocks, outline, stiffness, real, phases, meetings)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, stiffness.normal)
     side_rows = rows_of_sides(layout, sides)
