@@ -32,12 +32,17 @@ def turned(points: np.ndarray, axis: Sequence[float], angle: float, through: Seq
 
 
 def on_floor(
-    specimen: Specimen, level: float | None = None, size: Sequence[float] | None = None, thickness: float | None = None
+    specimen: Specimen,
+    level: float | None = None,
+    size: Sequence[float] | None = None,
+    thickness: float | None = None,
+    travel: float = 0.0,
 ) -> Specimen:
     """The specimen and below it one block more, the last: group, set and unit of its own, "floor".
 
     level      m, z of its upper face; the lowest point of the specimen where it is None
-    size       (2,) m along x and y, its middle below that of the specimen; None: 2 longest sides beyond each side of it
+    size       (2,) m along x and y, its middle below that of the specimen; None: 2 longest sides beyond each side,
+               and the travel (m) of the ground besides
     thickness  m; None: a quarter of the longest side
     Raises GeometryError where a block lies below the level, or the specimen has a floor already.
     """
@@ -56,7 +61,7 @@ def on_floor(
             f"reach below the floor: allowed is {low[2]:.6g} m or less, or leave it out"
         )
     thick = THICKNESS * longest if thickness is None else thickness
-    extent = high[:2] - low[:2] + 2.0 * MARGIN * longest if size is None else np.asarray(size, dtype=float)
+    extent = high[:2] - low[:2] + 2.0 * (MARGIN * longest + travel) if size is None else np.asarray(size, dtype=float)
     require_lengths("floor", {"size along x": extent[0], "size along y": extent[1], "thickness": thick})
     middle = 0.5 * (low + high)[:2]
     bottom, upper = np.append(middle - 0.5 * extent, top - thick), np.append(middle + 0.5 * extent, top)

@@ -18,7 +18,7 @@ from masonry.assembly.gauge_places import gauges_of
 from masonry.assembly.growing_loads import let_grow
 from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
-from masonry.assembly.masses import density_of
+from masonry.assembly.masses import density_of, moving_density_of
 from masonry.assembly.scattered_laws import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of, uniform_ground
 from masonry.assembly.size_limits import require_sane_size
@@ -36,6 +36,7 @@ from masonry.model.layout import Layout, Material, lay_out
 from masonry.model.loads import Conditions
 from masonry.monitors.reactions import Surroundings
 from masonry.scene import Scene
+from masonry.timeloop.gauge_columns import UniformGround
 from masonry.timeloop.recording import Recording
 
 
@@ -70,26 +71,33 @@ def assemble(scene: Scene) -> Assembly:
     materials = {g: material_of(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, {g: scene.kinematics_of(g) for g in blocks.groups}, mesh)
     density = density_of(scene, specimen, joints, materials)
-    conditions = _all_conditions(scene, specimen, joints, layout, density)
+    real = scene.solver.masses == "real"
+    moving_density = moving_density_of(scene, specimen, joints, density) if real else density
+    conditions = _all_conditions(scene, specimen, joints, layout, density, moving_density)
     drawn = _draws(scene, blocks, joints, names, group)
     laws = _laws(scene, names, drawn, compressions)
     meetings = None if pairs is None else meetings_of(pairs, scene)
     stepping = _stepping(scene, mesh, meetings)
-    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings, density)
+    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings, moving_density)
     plan = plan_of(scene, built.dt)
     if plan.moves_at_once:
         first = plan.factors_at(np.zeros(1))
         begin(built, None if first is None else first[:, 0], scene.has_dead_loads)
-    recording = _recording(scene, specimen, gauges_of(scene, specimen, joints, layout), Surroundings(conditions))
-    recording = replace(recording, ground=uniform_ground(scene, built.dt), is_shaken=bool(scene.ground))
+    gauges, ground = gauges_of(scene, specimen, joints, layout), uniform_ground(scene, built.dt)
+    recording = _recording(scene, specimen, gauges, Surroundings(conditions), ground)
     return Assembly(scene, specimen, joints, mesh, built, plan, recording, drawn, pairs)
 
 
 def _all_conditions(
-    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, density: np.ndarray
+    scene: Scene,
+    specimen: Specimen,
+    joints: Joints,
+    layout: Layout,
+    density: np.ndarray,
+    moving_density: np.ndarray,
 ) -> Conditions:
     """Supports and loads, the one that grows among them. Raises SceneError where something stands on nothing."""
-    conditions = conditions_of(scene, specimen, layout, joints, density)
+    conditions = conditions_of(scene, specimen, layout, joints, density, moving_density)
     if scene.grows:
         let_grow(scene, specimen, joints, layout, density, conditions)
     if scene.must_stand:
@@ -127,9 +135,16 @@ def _stepping(scene: Scene, mesh: TetMesh | None, meetings: Meetings | None) -> 
     return model.Stepping(solver.masses, solver.time_step, solver.step_fraction, damping, swing_of(scene.damping))
 
 
-def _recording(scene: Scene, specimen: Specimen, gauges: tuple[Gauge, ...], surroundings: Surroundings) -> Recording:
+def _recording(
+    scene: Scene,
+    specimen: Specimen,
+    gauges: tuple[Gauge, ...],
+    surroundings: Surroundings,
+    ground: UniformGround | None,
+) -> Recording:
     """What is recorded of a run."""
     drive, solver = scene.drive, scene.solver
+    weight = (0.0, 0.0, 0.0) if scene.gravity is None else scene.gravity.vector
     return Recording(
         section=specimen.section,
         sign=1.0 if drive is None else drive.sign,
@@ -141,6 +156,8 @@ def _recording(scene: Scene, specimen: Specimen, gauges: tuple[Gauge, ...], surr
         sets=specimen.sets,
         surroundings=surroundings,
         axis=None if drive is None else drive.axis,
+        ground=ground,
+        weight_when_shaken=weight if scene.ground else None,
     )
 
 

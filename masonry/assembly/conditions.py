@@ -7,7 +7,7 @@ import numpy as np
 from geometry.blocks import GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
-from masonry.assembly.fill import weight_of_fill
+from masonry.assembly.fill import columns_of, weight_of
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.kinds import KIND, velocities_of
@@ -24,9 +24,15 @@ PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 
 
 def conditions_of(
-    scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, density: np.ndarray
+    scene: Scene,
+    specimen: Specimen,
+    layout: Layout,
+    joints: Joints,
+    density: np.ndarray,
+    moving_density: np.ndarray | None = None,
 ) -> loads.Conditions:
-    """Supports, drive and dead loads on the dofs; density (B,) kg/m3 of the blocks (masses.density_of)."""
+    """Supports, drive and dead loads on the dofs; density (B,) kg/m3 of the blocks (masses.density_of), and of what
+    moves with them (masses.moving_density_of) where that is more."""
     conditions = loads.no_conditions(layout)
     _add_supports(scene, specimen, joints, layout, conditions)
     _move_supports(scene, conditions)
@@ -41,13 +47,10 @@ def conditions_of(
         loads.add_traction(specimen.blocks, layout, load, loads.Push(faces, np.array(traction.stress)))
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
     _add_weight(scene, specimen, layout, conditions, density)
-    _add_inertia(scene, specimen, layout, conditions, density)
+    _add_inertia(scene, specimen, layout, conditions, density if moving_density is None else moving_density)
     if scene.quiet:
         _add_quiet(scene, specimen, joints, layout, conditions)
-    for k, fill in enumerate(scene.fill):
-        chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
-        load = weight_of_fill(fill, f"fill.{k}", specimen, joints, layout, chosen, -gravity.z if gravity else 0.0)
-        _add_load(layout, conditions, f"fill.{k}", load, varies=False)
+    _add_fill(scene, specimen, joints, layout, conditions)
     _set_moving(scene, specimen, joints, layout, conditions)
     return conditions
 
@@ -175,6 +178,17 @@ def _add_load(layout: Layout, conditions: loads.Conditions, name: str, load: loa
         conditions.varying.append(load)
     else:
         loads.add_load(layout, conditions.load, load)
+
+
+def _add_fill(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
+    """The weight of earth on blocks."""
+    for k, fill in enumerate(scene.fill):
+        chosen, gravity = select(specimen, joints, fill.on, f"fill.{k}.on")[0], scene.gravity
+        if layout.meshed[chosen].any():
+            raise SceneError(f"fill.{k}.on = '{fill.on}': a fill acts on rigid and affine blocks, not on tets")
+        columns = columns_of(fill, f"fill.{k}", specimen, joints, chosen)
+        load = weight_of(columns, layout, fill.density * (-gravity.z if gravity else 0.0))
+        _add_load(layout, conditions, f"fill.{k}", load, varies=False)
 
 
 def _set_moving(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:

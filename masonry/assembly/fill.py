@@ -1,8 +1,11 @@
 """The weight of loose earth above blocks, up to a level: a dead load on the faces that look up to it.
 
 Earth is a column above each face: it presses straight down, by its height there. It does not press sideways, holds
-nothing and carries nothing; of a fill that does, this is the safe side.
+nothing and carries nothing; of a fill that does, this is the safe side. Where masses are real, each column moves with
+the block below it.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,24 +22,32 @@ UPWARD, COVERED = 1e-6, 1e-6
 """Cosine above which a face looks up; the share of it that lies in joints, above which it bears no earth."""
 
 
-def weight_of_fill(
-    fill: Fill, where: str, specimen: Specimen, joints: Joints, layout: Layout, chosen: np.ndarray, gravity: float
-) -> dict[str, np.ndarray | None]:
-    """The load by kind; gravity: m/s2, > 0. Raises SceneError where the level is below all, and for blocks of tets."""
-    blocks, load = specimen.blocks, dict.fromkeys(KINDS)
-    if layout.meshed[chosen].any():
-        raise SceneError(f"{where}.on = '{fill.on}': a fill acts on rigid and affine blocks, not on tets")
+class Columns(NamedTuple):
+    """Earth above faces that look up: owner (F,), the block below; volume (F,) m3; centre (F, 3) m, of its pressure."""
+
+    owner: np.ndarray
+    volume: np.ndarray
+    centre: np.ndarray
+
+
+def columns_of(fill: Fill, where: str, specimen: Specimen, joints: Joints, chosen: np.ndarray) -> Columns:
+    """Those of a fill on some blocks (n,). Raises SceneError where the level is below all of them."""
+    blocks = specimen.blocks
     faces = _open_faces(blocks, joints, chosen, f"{where}.on = '{fill.on}'")
-    owner = blocks.face_block()[faces]
-    volume, centre = _columns(blocks, faces, fill.level)
+    volume, centre = _volumes(blocks, faces, fill.level)
     if not volume.any():
         raise SceneError(
             f"{where}.level: no free face of '{fill.on}' looks up below {fill.level:.6g} m; raise the level"
         )
-    down = np.array([0.0, 0.0, -fill.density * gravity])
-    for f in np.flatnonzero(volume):
-        b = int(owner[f])
-        add_force(layout, load, b, volume[f] * down, centre[f] - layout.centroid[b])
+    under = volume > 0.0
+    return Columns(blocks.face_block()[faces[under]], volume[under], centre[under])
+
+
+def weight_of(columns: Columns, layout: Layout, specific: float) -> dict[str, np.ndarray | None]:
+    """The load by kind; specific: weight of the earth, N/m3, > 0."""
+    load, down = dict.fromkeys(KINDS), np.array([0.0, 0.0, -specific])
+    for block, volume, centre in zip(columns.owner.tolist(), columns.volume, columns.centre, strict=True):
+        add_force(layout, load, block, volume * down, centre - layout.centroid[block])
     return load
 
 
@@ -55,7 +66,7 @@ def _open_faces(blocks: Blocks, joints: Joints, chosen: np.ndarray, where: str) 
     return up[covered <= COVERED]
 
 
-def _columns(blocks: Blocks, faces: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
+def _volumes(blocks: Blocks, faces: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
     """(F,) m3 of earth above each face, and (F, 3) m, where on the face it presses.
 
     Exact: over a triangle the height is linear, and the middles of its edges integrate its product with a place.

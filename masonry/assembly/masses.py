@@ -1,4 +1,4 @@
-"""What blocks weigh: the density of their material, and masses that are added to them."""
+"""What blocks weigh, and what moves with them: their material, masses that are added to them, and earth on them."""
 
 from typing import NamedTuple
 
@@ -8,6 +8,7 @@ from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.intersect import holds
 from geometry.polyhedra.measures import volumes
 from masonry.assembly.conditions import select
+from masonry.assembly.fill import columns_of
 from masonry.errors import SceneError
 from masonry.model.layout import Material
 from masonry.scene import Scene
@@ -34,6 +35,18 @@ def density_of(scene: Scene, specimen: Specimen, joints: Joints, materials: dict
         for share in shares_of(scene, specimen, joints):
             density[share.blocks] += share.mass / volume[share.blocks].sum()
     return density
+
+
+def moving_density_of(scene: Scene, specimen: Specimen, joints: Joints, density: np.ndarray) -> np.ndarray:
+    """(B,) kg/m3 of what moves with each block, of a density (B,) itself: the earth of a fill above it makes it as much
+    denser. Raises SceneError."""
+    if not scene.fill:
+        return density
+    earth = np.zeros(specimen.blocks.count)
+    for k, fill in enumerate(scene.fill):
+        columns = columns_of(fill, f"fill.{k}", specimen, joints, select(specimen, joints, fill.on, f"fill.{k}.on")[0])
+        np.add.at(earth, columns.owner, fill.density * columns.volume)
+    return np.asarray(density + earth / volumes(specimen.blocks))
 
 
 def shares_of(scene: Scene, specimen: Specimen, joints: Joints) -> list[Share]:

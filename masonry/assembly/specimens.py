@@ -56,11 +56,21 @@ def specimen_of(scene: Scene) -> Specimen:
         stated = specimen.joints and replace(specimen.joints, points=as_turned(scene, specimen.joints.points))
         blocks = replace(specimen.blocks, points=as_turned(scene, specimen.blocks.points))
         specimen = replace(specimen, blocks=blocks, joints=stated)
-    return (
-        specimen
-        if scene.floor is None
-        else on_floor(specimen, scene.floor.level, scene.floor.size, scene.floor.thickness)
-    )
+    if (floor := scene.floor) is None:
+        return specimen
+    return on_floor(specimen, floor.level, floor.size, floor.thickness, _travel_of_ground(scene))
+
+
+def _travel_of_ground(scene: Scene) -> float:
+    """m, at most, by which something that does not follow the ground comes to lie beside where it stood on it."""
+    if not scene.ground:
+        return 0.0
+    lasts = scene.solver.duration or max(ground.runs_for for ground in scene.ground)
+    motions = [
+        (motion, ground.begin) for ground in scene.ground for axis, motion in ground.motions.items() if axis != "z"
+    ]
+    ends = [abs(float(motion.displacement_at(np.array([lasts - begin]))[0])) for motion, begin in motions]
+    return max([*ends, *(motion.peak_displacement for motion, _ in motions)], default=0.0)
 
 
 def as_turned(scene: Scene, points: np.ndarray) -> np.ndarray:

@@ -15,7 +15,7 @@ from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import joined, material_of, meshed, require_contact_groups, require_groups
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of
-from masonry.assembly.masses import density_of
+from masonry.assembly.masses import density_of, moving_density_of
 from masonry.laws import factory
 from masonry.laws.state import JointProperties
 from masonry.model.kinds import KIND
@@ -179,7 +179,7 @@ def oscillator_of(scene: Scene) -> Oscillator:
         normal=stiffness[group, 0] * joints.area,
         shear=stiffness[group, 1] * joints.area,
         lame=lame[blocks.group],
-        mass=_flat(real_masses(layout, density)),
+        mass=_flat(real_masses(layout, moving_density_of(scene, specimen, joints, density))),
         free=~_flat(conditions.supported),
         load=_dead_load(scene, layout, conditions, density),
     )

@@ -1,5 +1,6 @@
 """What is looked at where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -38,11 +39,16 @@ class Strains(NamedTuple):
 
 class Collapse(Observer):
     """Looks for the first block that has fallen, and for those that have left the floor, where there is one: they are
-    lower than its underside. Without weight nothing falls."""
+    lower than its underside. Without weight nothing falls.
+
+    weight  (3,) along which blocks fall; None: each along its load, which may turn. Forces of inertia are no weight:
+            what slides along them has not fallen
+    """
 
     REMEMBERED = ("block", "step", "energies", "left", "first_left", "time_left")
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, weight: Sequence[float] | None = None) -> None:
+        self.weight = None if weight is None else np.array(weight)
         self.block, self.step = -1, 0
         self.left, self.first_left, self.time_left = 0, -1, 0.0
         self.energies: dict[str, float] = {}
@@ -61,7 +67,8 @@ class Collapse(Observer):
             drop, carried = np.zeros(len(self.width)), 0.0
             for part in parts_of(model):
                 if part.body.load is not None:
-                    weight, moved = part.sums(part.body.load[:, :3]), part.mean(part.displacements[:, :3])
+                    weight = part.sums(part.body.load[:, :3]) if self.weight is None else self.weight[None]
+                    moved = part.mean(part.displacements[:, :3])
                     down = weight / np.maximum(np.linalg.norm(weight, axis=1), 1e-300)[:, None]
                     drop[part.blocks] = np.einsum("bi,bi->b", down, moved)
                     if not part.kind.nodal:  # what a drive or a support lets down, and what it bears, has not fallen

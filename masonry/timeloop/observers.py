@@ -20,7 +20,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     driven = any(drive is not None for drive in model.drives)
     moving = {} if driven or not model.scaled else {"moving": Moving(model)}
     return {
-        **(large_looks(model) if configuration_of(model).any_size else small_limits(model, recording)),
+        **(large_looks(model, recording) if configuration_of(model).any_size else small_limits(model, recording)),
         "settling": Settling(model),
         **moving,
         "law_area": LawArea(model),
@@ -29,11 +29,11 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     }
 
 
-def large_looks(model: Model) -> dict[str, Observer]:
+def large_looks(model: Model, recording: Recording) -> dict[str, Observer]:
     """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
     slide = {"slide": Slide(model, rollers=False)} if model.swept else {}
     deforms = {"deformation": LargestDeformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
-    return {**slide, "collapse": Collapse(model), **deforms}
+    return {**slide, "collapse": Collapse(model, recording.weight_when_shaken), **deforms}
 
 
 def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:

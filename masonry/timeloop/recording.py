@@ -54,7 +54,7 @@ class Recording:
     """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
     how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, what acts
     from outside, the axis (0, 1, 2) of the drive, None without one, and the motion that all supports share, None
-    without, and whether any ground moves."""
+    without; where any ground moves the acceleration (m/s2) of the weight, beside which forces of inertia act."""
 
     section: float
     sign: float = 1.0
@@ -67,4 +67,9 @@ class Recording:
     surroundings: Surroundings = field(default_factory=Surroundings)
     axis: int | None = None
     ground: UniformGround | None = None
-    is_shaken: bool = False
+    weight_when_shaken: tuple[float, float, float] | None = None
+
+    @property
+    def is_shaken(self) -> bool:
+        """Whether any ground moves."""
+        return self.weight_when_shaken is not None

@@ -62,6 +62,20 @@ def test_earth_on_the_haunches_helps_an_arch_to_bear_a_load_at_its_crown():
     )
 
 
+def test_earth_moves_with_the_voussoirs_below_it_where_masses_are_real():
+    ground = {"ground": {"x": "0.1 g * sin(2 pi t / 0.1 s)", "duration": "0.1 s"}, "settle.steps": 100}
+    bare, filled = (assemble(load_scene("arch-own-weight", ground | more)) for more in ({}, table("2.5 m")))
+    x, z = outline(1)
+    earth = EARTH * 0.5 * np.trapezoid(2.5 - z, x)
+    inertia = [assembly.model.varying[0]["rigid"][:, 0] for assembly in (bare, filled)]
+    assert -(inertia[1] - inertia[0]).sum() == pytest.approx(earth, rel=1e-9)
+    free = filled.model.masses["rigid"][:, 0] > 0.0
+    assert filled.model.masses["rigid"][free, 0] == pytest.approx(-inertia[1][free], rel=1e-12)
+    slow, quick = (masonry.modes(load_scene("arch-own-weight", more), 1) for more in (table("2.5 m"), {}))
+    assert slow.mass[0] - quick.mass[0] == pytest.approx(earth, rel=1e-9)
+    assert slow.frequencies[0] < quick.frequencies[0]
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [

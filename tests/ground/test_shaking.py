@@ -142,3 +142,15 @@ def test_supports_that_move_apart_stretch_what_stands_between_them(tmp_path):
     result = masonry.run(load(tmp_path / "apart.toml"))
     assert float(result.curve["far"].iloc[-1]) == pytest.approx(1e-4, rel=1e-4)
     assert float(result.curve["bar"].iloc[-1]) == pytest.approx(5e-5, rel=1e-3)
+
+
+def test_a_floor_reaches_as_far_as_the_ground_moves_unless_it_has_a_size():
+    away = {"ground.x": "0.5 g * sin(2 pi t / 2 s)", "ground.made": None, "ground.duration": "2 s", "ground.peak": None}
+    for floor, duration, reach in (
+        ({}, "3 s", 2.0 + 0.5 * 9.80665 * 2.0 / np.pi),
+        ({"size": ["3 m", "3 m"]}, "3 s", 1.375),
+    ):
+        shaken = load("block-shaken", {**away, "floor": floor, "solver.duration": duration})
+        blocks = assemble(shaken).specimen.blocks
+        points = blocks.points[blocks.face_points][:, 0]
+        assert points.max() - 0.125 == pytest.approx(reach, rel=1e-4)

@@ -190,6 +190,20 @@ def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, fal
     assert look.step == (11 if falls else 12), "the first time counts"
 
 
+def test_what_slides_along_forces_of_inertia_has_not_fallen(monkeypatch):
+    model = fallen().model
+    monkeypatch.setattr(large.LargeDisplacement, "deepest", lambda *_: (0.0, (0, 1)))
+    model.bodies.rigid.load[1, :3] = 0.5 * np.array([-model.bodies.rigid.load[1, 2], 0.0, 0.0])
+    model.bodies.rigid.q[1, :3] = 3.0, 0.0, 0.0
+    look, along_load = Collapse(model, (0.0, 0.0, -9.81)), Collapse(model)
+    for one in (look, along_load):
+        one.look(model, seen(model), 11)
+    assert look.found()["collapse"] is None and along_load.found()["collapse"] is not None
+    model.bodies.rigid.q[1, 2] = -0.051
+    look.look(model, seen(model), 12)
+    assert look.found()["collapse"][:2] == (1, 12)
+
+
 @pytest.mark.parametrize(("share", "stopped"), EITHER_SIDE)
 def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monkeypatch):
     model, widths = fallen().model, []
