@@ -131,3 +131,9 @@ def test_what_cannot_be_quiet_is_refused(kinematics, quiet, more, reason):
 def test_modes_leave_it_out_and_say_so():
     modes = masonry.modes(load("stack", keys("affine", [{"on": "block 4.z+"}])), 3)
     assert "quiet boundaries are left out" in str(modes)
+
+
+def test_a_record_that_cannot_be_read_is_told_under_the_key_of_its_wave(tmp_path):
+    wave = {"record": str(tmp_path / "none.csv"), "x": "a", "quantity": "velocity"}
+    with pytest.raises(SceneError, match="^quiet.wave.record: "):
+        assemble(load("stack", keys("affine", [{"on": "block 1.x-", "wave": wave}], **BLOCK)))

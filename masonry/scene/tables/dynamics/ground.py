@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, create_model, model_validator
@@ -34,6 +34,8 @@ class Ground(_HasAs):
     as  "inertia": the frame of the ground, in which forces of inertia act; "base": supports and floor are moved
     on  selector of the support (or "floor") that moves so, where several move apart
     """
+
+    PLACE: ClassVar[str] = "ground"
 
     record: Annotated[str, Field(min_length=1)] | None = None
     made: MadeGround | None = None
@@ -157,7 +159,7 @@ def _motions(ground: Ground, stamp: int | None) -> dict[str, Motion]:
     motions = {axis: _component(ground, axis, word, stamp) for axis, word in ground.components.items()}
     most = max(motion.peak_acceleration for motion in motions.values())
     if most < STILL:
-        raise SceneError("ground: it never accelerates; is this the right column?")
+        raise SceneError(f"{ground.PLACE}: it never accelerates; is this the right column?")
     scale = ground.peak / most if ground.peak is not None else 1.0 if ground.scale is None else ground.scale
     return {axis: motion.scaled(scale) for axis, motion in motions.items()}
 
@@ -179,9 +181,9 @@ def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motio
         return motion
     except SceneError as error:
         if str(error).startswith("unit: "):
-            raise SceneError(f"ground.{error}") from None
+            raise SceneError(f"{ground.PLACE}.{error}") from None
         if ground.made is not None:
-            raise
-        raise error.within("ground.record") from None
+            raise SceneError(str(error).replace("ground", ground.PLACE, 1)) from None
+        raise error.within(f"{ground.PLACE}.record") from None
     except ValueError as error:
-        raise SceneError(f"ground.{axis}: {error}") from None
+        raise SceneError(f"{ground.PLACE}.{axis}: {error}") from None

@@ -1,6 +1,6 @@
 """What a scene says of faces at which waves leave, and of a wave that comes in through them."""
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import model_validator
 
@@ -9,6 +9,12 @@ from masonry.scene.tables.loads_and_supports import Selector
 from masonry.scene.tables.types import Density, Given, KeyedError, Table
 
 WaveSpeed = Annotated[float, Given("velocity", "(0, 1e5]")]
+
+
+class IncomingWave(Ground):
+    """A motion that comes in through faces."""
+
+    PLACE: ClassVar[str] = "quiet.wave"
 
 
 class QuietBoundary(Table):
@@ -22,7 +28,7 @@ class QuietBoundary(Table):
     density: Density | None = None
     p_speed: WaveSpeed | None = None
     s_speed: WaveSpeed | None = None
-    wave: Ground | None = None
+    wave: IncomingWave | None = None
 
     @model_validator(mode="after")
     def _wave_is_a_motion(self) -> "QuietBoundary":
