@@ -14,7 +14,7 @@ from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, sta
 from masonry.scene.tables.scatter import Scatter
 from masonry.simd.rows import aligned
 
-UNITS = {"tensile_strength": (1e-6, "MPa"), "cohesion": (1e-6, "MPa")}
+UNITS = {key: (1e-6, "MPa") for key in ("tensile_strength", "cohesion", "compressive_strength")}
 """Factor and unit in which drawn values are shown; energies in N/m."""
 
 
@@ -73,7 +73,7 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
     contact  the scene's tables by group
     """
     scattered, law = scatter.groups[group], contact[group].law
-    read = factory.properties_of(law)
+    read = (*factory.properties_of(law), *(factory.CRUSHING if contact[group].crushing else ()))
     for key in scattered.variations:
         if key not in read:
             raise SceneError(

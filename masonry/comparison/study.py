@@ -25,6 +25,7 @@ DOING = "compares variants of a scene in it"
 LARGEST = 100_000_000
 """Bytes of a scene."""
 DISSIPATED = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction")
+CRUSHING = "energy_j.crushing"
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ def study(
 
 
 def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
-    parts = [ended.get(key) for key in DISSIPATED]
+    modelled = (CRUSHING,) if ended.get(CRUSHING) is not None else ()
+    parts = [ended.get(key) for key in (*DISSIPATED, *modelled)]
     numbers: dict[str, Any] = {figure.key: ended.get(figure.key) for figure in FIGURES}
     numbers["dissipated_j"] = sum(parts) if all(isinstance(part, float) for part in parts) else None
     return {

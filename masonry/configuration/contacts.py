@@ -4,6 +4,7 @@ import numpy as np
 
 from masonry.kernels import contact
 from masonry.model.model import Model
+from masonry.rows.columns import CRUSHING
 
 
 def look_at_contacts(model: Model, seen: np.ndarray) -> float:
@@ -20,6 +21,13 @@ def look_at_contacts(model: Model, seen: np.ndarray) -> float:
 def stored_in_contacts(model: Model) -> float:
     """Elastic energy (J) of the contacts of the undeformed shape."""
     return look_at_contacts(model, np.zeros((4, len(model.group))))
+
+
+def crushing_of(model: Model) -> dict[str, float]:
+    """J that crushing took in the contacts of the undeformed shape, under the name of its column; nothing where it is
+    not modelled."""
+    crushed = model.state.crushed
+    return {} if crushed is None else {CRUSHING: float(model.joints.area @ crushed[:, 2])}
 
 
 def taken_by_dashpots(model: Model) -> float:

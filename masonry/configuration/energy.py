@@ -13,6 +13,7 @@ import numpy as np
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.model import Model
+from masonry.rows.columns import CRUSHING, DISSIPATED
 
 
 class Seen(NamedTuple):
@@ -99,5 +100,5 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
 
 def open_in_contacts(terms: dict[str, float]) -> float:
     """Work that contacts took up (J) less all that is known of it: stored, dissipated, and booked at re-detection."""
-    known = ("elastic_contacts", "fracture_mode_1", "fracture_mode_2", "friction", "dashpot", "redetection", "area")
+    known = ("elastic_contacts", *DISSIPATED, CRUSHING, "dashpot", "redetection", "area")
     return terms["contact_work"] - sum(terms.get(key, 0.0) for key in known)

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
+    crushing_of,
     look_at_contacts,
     pairs_of_contacts,
     stiffness_of_contacts,
@@ -37,10 +38,10 @@ class LargeDisplacement:
     well."""
 
     any_size, leap = True, 1e-1
-    columns: tuple[str, ...] = tuple(LARGE_UNITS)
 
     def __init__(self, model: Model, large: Large) -> None:
         self.model, self.parts, self.stepper = model, large, Stepper()
+        self.columns: tuple[str, ...] = (*LARGE_UNITS, *crushing_of(model))
         self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
         self.bearing = BearingPoints(large.near)
         self.energy, self.deepest_overlap, self.deepest_pair = np.zeros(1), np.zeros(1), np.zeros(1, dtype=np.int64)
@@ -120,6 +121,7 @@ class LargeDisplacement:
             "dashpot": float(account[DASHPOT]) + taken_by_dashpots(self.model),
             "redetection": float(account[SHEAR_LOST]),
             "area": -float(account[NORMAL_GAINED] + account[BORN]),
+            **crushing_of(self.model),
         }
 
     @cached_property

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
+    crushing_of,
     look_at_contacts,
     pairs_of_contacts,
     stiffness_of_contacts,
@@ -34,7 +35,7 @@ class SmallDisplacement:
 
     def __init__(self, model: Model) -> None:
         self.model, self.stepper = model, Stepper()
-        self.columns: tuple[str, ...] = () if model.dashpots is None else (DASHPOT,)
+        self.columns: tuple[str, ...] = (*(() if model.dashpots is None else (DASHPOT,)), *crushing_of(model))
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         model = self.model
@@ -72,7 +73,8 @@ class SmallDisplacement:
         return 0.0
 
     def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
-        return {} if self.model.dashpots is None else {DASHPOT: taken_by_dashpots(self.model)}
+        damped = {} if self.model.dashpots is None else {DASHPOT: taken_by_dashpots(self.model)}
+        return {**damped, **crushing_of(self.model)}
 
     def joint_forces(self) -> np.ndarray:
         return np.array(self.model.contacts.force)

@@ -14,7 +14,7 @@ from masonry.rows.peak import before_a_fall
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
-PARTS = ("fracture_mode_1", "fracture_mode_2", "friction")
+PARTS = ("fracture_mode_1", "fracture_mode_2", "crushing", "friction")
 NAMED = 8
 """Cycles up to which each has its line in the key; of more, some have."""
 ROOM = 1.25

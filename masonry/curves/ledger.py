@@ -11,6 +11,7 @@ LEDGER = {
     "elastic_contacts": ("elastic, contacts", "#4a90c2"),
     "fracture_mode_1": ("fracture, mode I", "#d7301f"),
     "fracture_mode_2": ("fracture, mode II", "#fc8d59"),
+    "crushing": ("crushing", "#7f0000"),
     "friction": ("friction", "#fdcc8a"),
     "dashpot": ("dashpots", "#8c6bb1"),
     "damping": ("damping", "#bdbdbd"),

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.laws.cone import slip_of
+from masonry.laws.crushing import closed_by, crush, left_by_cap, within_cap
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
 
@@ -20,6 +21,7 @@ class Path(NamedTuple):
 
     sigma, tau     Pa, tension positive, shear along the slip
     fracture, friction, stored   J/m2, spent so far in fracture of both modes and in friction; recoverable
+    crushing       J/m2, spent so far in crushing
     """
 
     opening: np.ndarray
@@ -29,6 +31,7 @@ class Path(NamedTuple):
     fracture: np.ndarray
     friction: np.ndarray
     stored: np.ndarray
+    crushing: np.ndarray
 
 
 def follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: np.ndarray) -> Path:
@@ -39,20 +42,26 @@ def follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: n
 
 def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: np.ndarray) -> Path:
     history, plastic = _of_numpy(_initial_history(joint)), 0.0
+    closing = hardening = None if joint.compressive_strength is None else np.float64(0.0)
     ks = joint.shear_stiffness
-    fracture = friction = 0.0
-    rows = np.empty((len(opening), 5))
+    fracture = friction = crushing = sigma = tau = 0.0
+    rows = np.empty((len(opening), 6))
     for k, (e, s) in enumerate(zip(opening, slip, strict=True)):
-        tau = ks * (s - plastic)
+        before, e, tau = (sigma, abs(tau)), closed_by(closing, e), ks * (s - plastic)
         sigma, unchanged = elastic_trial(parameters, joint, history, e, tau * tau)
-        if not unchanged:
-            update = return_mapping(parameters, joint, history, e, abs(s), abs(tau))
+        if not within_cap(hardening, joint, sigma, tau * tau, unchanged):
+            squeezed = crush(joint, history, closing, hardening, e, abs(tau), before)
+            closing, hardening, e = squeezed.closing, squeezed.hardening, squeezed.opening
+            update = return_mapping(parameters, joint, history, e, abs(s), squeezed.tau)
             history, sigma = update.history, update.sigma
             fracture += update.mode_1 + update.mode_2
             friction += update.friction
-            plastic += slip_of(update, (1.0 - update.fraction) * tau / ks)
-            tau *= update.fraction
-        rows[k] = sigma, tau, fracture, friction, stored_energy(parameters, joint, history, e, tau * tau)
+            crushing += squeezed.work or 0.0
+            fraction = left_by_cap(squeezed, update.fraction, abs(tau))
+            plastic += slip_of(update, (1.0 - fraction) * tau / ks)
+            tau *= fraction
+        stored = stored_energy(parameters, joint, history, e, tau * tau)
+        rows[k] = sigma, tau, fracture, friction, stored, crushing
     return Path(opening, slip, *rows.T)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
-from masonry.rows.columns import DISSIPATED
+from masonry.rows.columns import CRUSHING, dissipated_in
 from masonry.rows.peak import before_a_fall, only_rises
 from masonry.scene import Scene
 from masonry.timeloop.recording import Outcome
@@ -61,7 +61,7 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
     pushed, in_real_time = work_of_force(rows), scene.is_large and not model.scaled
     work = float(np.abs(rows["external_work"]).max())
     moved = max(work, float(np.abs(outcome.found["work_of_loads"]).max(initial=0.0)))
-    dissipated = sum(float(rows[key][-1]) for key in DISSIPATED)
+    dissipated = sum(float(rows[key][-1]) for key in dissipated_in(rows))
     taken = _taken(before_fall, settled, in_real_time)
     return Scales(
         in_real_time=in_real_time,
@@ -89,7 +89,7 @@ def work_of_force(rows: Rows) -> np.ndarray:
 
 def first_damage(rows: Rows) -> float:
     """The step of the first row with damage; infinite without any."""
-    damaged = rows["fracture_mode_1"] + rows["fracture_mode_2"] > 0.0
+    damaged = rows["fracture_mode_1"] + rows["fracture_mode_2"] + rows.get(CRUSHING, 0.0) > 0.0
     return float(rows["step"][damaged][0]) if damaged.any() else np.inf
 
 

@@ -7,9 +7,10 @@ from numba import prange
 from masonry.jit.compiler import inner, inner_parallel, jit
 from masonry.jit.extending import register_jitable
 from masonry.laws.cone import acted, slip_of
+from masonry.laws.crushing import bore, closed_by, crush, left_by_cap, within_cap
 from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
-from masonry.laws.state import ContactHistory
+from masonry.laws.state import ContactHistory, grown
 from masonry.patches.branches import of_bond, pull_left, stiffness_now
 from masonry.simd import (
     any_lane,
@@ -37,7 +38,7 @@ def apart(a, b, n):
 
 def _sweep(
     like, parameters, joint, first, last, sides, normal, area, u, force,
-    opening_max, intact_n, intact_s, secant, slip, dissipated, dilation, permanent_opening, plastic_slip,
+    opening_max, intact_n, intact_s, secant, slip, dissipated, dilation, permanent_opening, plastic_slip, crushed,
     keep, gain, before, stress, taken,
 ):  # fmt: skip
     """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
@@ -56,6 +57,8 @@ def _sweep(
         nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
         a, b = gather(u, sides, (c, 0), like), gather(u, sides, (c, 1), like)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
+        closing, hardening = take(crushed, (c, 0), like), take(crushed, (c, 1), like)
+        opening = closed_by(closing, opening)
         px = or_zero(take(slip, (c, 0), like), like)
         py = or_zero(take(slip, (c, 1), like), like)
         pz = or_zero(take(slip, (c, 2), like), like)
@@ -67,11 +70,15 @@ def _sweep(
         )  # fmt: skip
         parameters_c, joint_c = local(parameters, c - first, like), local(joint, c - first, like)
         sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
+        unchanged = within_cap(hardening, joint_c, sigma, tau_squared, unchanged)
         stays = filled(1.0, opening)
         if any_lane(unless(own, unchanged)):
-            total = sqrt(sx * sx + sy * sy + sz * sz)
+            total, tau = sqrt(sx * sx + sy * sy + sz * sz), sqrt(tau_squared)
             acts = acted(dilation, c, like, force, (nx, ny, nz), area)
-            update = return_mapping(parameters_c, joint_c, history, opening, total, sqrt(tau_squared), acts)
+            bears = bore(closing, c, like, force, (nx, ny, nz), area)
+            squeezed = crush(joint_c, history, closing, hardening, opening, tau, bears)
+            opening = squeezed.opening
+            update = return_mapping(parameters_c, joint_c, history, opening, total, squeezed.tau, acts)
             put_where(own, opening_max, c, update.history.opening_max)
             put_where(own, intact_n, c, update.history.intact_n)
             put_where(own, intact_s, c, update.history.intact_s)
@@ -82,7 +89,10 @@ def _sweep(
             put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
-            sigma, fraction = update.sigma, update.fraction
+            put_where(own, crushed, (c, 0), squeezed.closing)
+            put_where(own, crushed, (c, 1), squeezed.hardening)
+            put_where(own, crushed, (c, 2), grown(take(crushed, (c, 2), like), squeezed.work))
+            sigma, fraction = update.sigma, left_by_cap(squeezed, update.fraction, tau)
             stays = filled(fraction, opening)
             left = slip_of(update, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
@@ -117,13 +127,13 @@ def sweep(
         _sweep_serial(
             like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
-            state.plastic_slip, keep, gain, before, stress, taken,
+            state.plastic_slip, state.crushed, keep, gain, before, stress, taken,
         )  # fmt: skip
     else:
         _sweep_parallel(
             like, parameters, joint, first, last, sides, normal, area, u, force, state.opening_max, state.intact_n,
             state.intact_s, state.secant, state.slip, state.dissipated, state.dilation, state.permanent_opening,
-            state.plastic_slip, keep, gain, before, stress, taken,
+            state.plastic_slip, state.crushed, keep, gain, before, stress, taken,
         )  # fmt: skip
 
 
@@ -138,6 +148,7 @@ def observe(parameters, joint, state, first, last, sides, normal, area, u, force
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
         a, b = gather(u, sides, (c, 0), 0.0), gather(u, sides, (c, 1), 0.0)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
+        closed = closed_by(take(state.crushed, (c, 0), 0.0), opening)
         px = or_zero(take(state.slip, (c, 0), 0.0), 0.0)
         py = or_zero(take(state.slip, (c, 1), 0.0), 0.0)
         pz = or_zero(take(state.slip, (c, 2), 0.0), 0.0)
@@ -148,7 +159,7 @@ def observe(parameters, joint, state, first, last, sides, normal, area, u, force
             take(state.plastic_slip, c, 0.0),
         )  # fmt: skip
         parameters_c, joint_c = local(parameters, c - first, 0.0), local(joint, c - first, 0.0)
-        energy += area[c] * stored_energy(parameters_c, joint_c, history, opening, tau_squared)
+        energy += area[c] * stored_energy(parameters_c, joint_c, history, closed, tau_squared)
         sigma = (force[c, 0] * nx + force[c, 1] * ny + force[c, 2] * nz) / area[c]
         fx, fy, fz = force[c, 0] / area[c], force[c, 1] / area[c], force[c, 2] / area[c]
         seen[0, c] = opening

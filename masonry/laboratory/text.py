@@ -321,7 +321,9 @@ def accuracy_text(summary: Summary) -> str:
     control = summary.control or {}
     wanted = f"{_share(control.get('accuracy'), 6)} asked for"
     damping = damping_words(summary.damping_over_external)
-    if not any((summary.energy_j or {}).get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2")):
+    energies = summary.energy_j or {}
+    cracked = any(energies.get(key, 1.0) for key in ("fracture_mode_1", "fracture_mode_2"))
+    if not cracked and not energies.get("crushing"):
         moved = summary.joints_opened_or_slid
         what = f"{moved} joint{'s'[: moved > 1]} opened or slid; " if moved else "no contact was damaged; "
         return f"{wanted}; {'' if moved is None else what}{damping}"

@@ -13,6 +13,10 @@ from masonry.laws.state import ContactHistory, RisingUpdate, StressUpdate
 from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, take, unless, where
 from masonry.simd.arithmetic import Lanes
 
+SAME = 1e-9
+"""Share by which a shear stress may stay below the strength and still be at it: where the slip stopped and the pressure
+goes on changing both are the same number but for rounding, which must not decide."""
+
 
 @register_jitable
 def normal_stress(joint, history, e):
@@ -235,7 +239,7 @@ def _spent_rising(before, joint, history, whole_tau, met, slipped, rise, first, 
     (started, residual, sigma), (yielded, remains, lifted) = first, last
     peak, least = coulomb(joint, history, before / joint.normal_stiffness, before)
     bore = left_of(joint, history, history.intact_s, peak, least)
-    slid = (before < 0.0) & (bore <= whole_tau)
+    slid = (before < 0.0) & (bore <= whole_tau * (1.0 + SAME))
     started, residual, sigma = where(slid, bore, started), where(slid, least, residual), where(slid, before, sigma)
     free = where(slid & (slipped > 0.0), met / joint.shear_stiffness, 0.0)
     mode_2 = slipped * 0.5 * (started - residual + yielded - remains)

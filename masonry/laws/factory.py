@@ -7,6 +7,7 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
+from masonry.laws.crushing import refuse_crushing
 from masonry.laws.law_dispatch import beside, shear_intact
 from masonry.laws.plugins import all_law_names, plugin_law
 from masonry.laws.snap_back import Refusal, lost_in_shear
@@ -17,6 +18,10 @@ NEAREST, FARTHEST = 1e-18, 1e3
 NOTHING = 1e-5
 """Share of the cohesion below which a tensile strength counts as none."""
 STRENGTHS = ("tensile_strength", "cohesion", "tan_friction")
+CRUSHING = ("crushing", "compressive_strength", "fracture_energy_compression", "closing_at_peak", "cap_shear_factor")
+CAP, CUT_OFF = "cap", "cut-off"
+SHEAR_FACTOR = 9.0
+"""Css of the cap where a scene gives none: the usual one of Lourenco and Rots (1997)."""
 
 
 def module_of(name: str) -> Any:
@@ -57,7 +62,8 @@ def build(
 def refusal(parameters: Any, joint: JointProperties, compressions: Sequence[float]) -> Refusal | None:
     """What a law refuses of its parameters at some compressions (Pa), or None."""
     refuse = beside(type(parameters), "refuse")
-    return None if refuse is None else refuse(parameters, joint, compressions)
+    refused: Refusal | None = None if refuse is None else refuse(parameters, joint, compressions)
+    return refused or refuse_crushing(joint)
 
 
 def properties_of(law: str) -> tuple[str, ...]:
@@ -100,8 +106,10 @@ def made(
 
 def _without_the_rest(properties: Mapping[str, Any], strengths: Sequence[str]) -> dict[str, Any]:
     """The properties of a law that reads some strengths only: the others are 0, and nothing is left to an option."""
-    kept = ("law", "normal_stiffness", "shear_stiffness", *strengths)
-    return {**{key: 0.0 for key in STRENGTHS}, **{key: properties[key] for key in kept}, "coupling": "independent"}
+    required = ("law", "normal_stiffness", "shear_stiffness", *strengths)
+    crushing = {key: properties.get(key) for key in CRUSHING}
+    others = {**{key: 0.0 for key in STRENGTHS}, "coupling": "independent"}
+    return {**others, **{key: properties[key] for key in required}, **crushing}
 
 
 def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
@@ -145,7 +153,26 @@ def _joint_properties(where: str, p: Mapping[str, Any], stiffness: dict[str, flo
         elastic_unloading=1.0 if p.get("unloading") == "elastic" else None,
         plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
         combined=None if p.get("coupling") == "independent" else 1.0,
+        **_crushing_of(where, p),  # type: ignore[arg-type]
     )
+
+
+def _crushing_of(where: str, p: Mapping[str, Any]) -> dict[str, float | None]:
+    """What JointProperties holds of crushing; nothing where it is not modelled."""
+    if p.get("crushing") is None:
+        return {}
+    _require(where, p["law"], p, ["compressive_strength"])
+    strength, energy = p["compressive_strength"], p.get("fracture_energy_compression")
+    if p["crushing"] == CUT_OFF:
+        return {"compressive_strength": strength, "crushing_energy": energy}
+    _require(where, p["law"], p, ["fracture_energy_compression", "closing_at_peak"])
+    factor = p.get("cap_shear_factor")
+    return {
+        "compressive_strength": strength,
+        "crushing_energy": energy,
+        "closing_at_peak": p["closing_at_peak"],
+        "cap_shear_factor": SHEAR_FACTOR if factor is None else factor,
+    }
 
 
 def tensile_strength(p: Mapping[str, Any]) -> float:

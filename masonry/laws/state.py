@@ -26,6 +26,7 @@ class ContactState(NamedTuple):
     dilation           (C,) m, opening made by dilation
     permanent_opening  (C,) m, opening that stays on elastic unloading
     plastic_slip       (C,) m, length of the path of plastic slip
+    crushed            (C, 3) plastic closing (m), hardening of the cap (m), and what crushing took (J/m2)
     """
 
     opening_max: Any = None
@@ -37,6 +38,7 @@ class ContactState(NamedTuple):
     dilation: Any = None
     permanent_opening: Any = None
     plastic_slip: Any = None
+    crushed: Any = None
 
 
 class ContactHistory(NamedTuple):
@@ -96,7 +98,11 @@ def _grown(history, value):
 
 
 def fresh(
-    elastic_limit: np.ndarray, normal_stiffness: np.ndarray, dilates: bool, permanent_opening: bool
+    elastic_limit: np.ndarray,
+    normal_stiffness: np.ndarray,
+    dilates: bool,
+    permanent_opening: bool,
+    crushes: bool = False,
 ) -> ContactState:
     """State of contacts that nothing has happened to; elastic_limit (C,) m, normal_stiffness (C,) Pa/m."""
     count = len(elastic_limit)
@@ -111,6 +117,7 @@ def fresh(
         dilation=aligned(none) if dilates else None,
         permanent_opening=aligned(none) if permanent_opening else None,
         plastic_slip=aligned(none) if dilates else None,
+        crushed=aligned(np.zeros((count, 3))) if crushes else None,
     )
 
 
@@ -118,8 +125,9 @@ class JointProperties(NamedTuple):
     """Properties of one contact group, SI (Pa/m, Pa, 1).
 
     The stress is sigma > 0 in tension, so the Coulomb line of eq. (8) reads |tau| <= c - sigma tan(phi).
-    `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The last three are options:
-    1.0 or None.
+    `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The next three are options:
+    1.0 or None. The last ones are those of crushing (crushing.py), None where it is not modelled: strength (Pa),
+    energy (N/m, None where nothing softens), and of the cap the closing at its peak (m) and the weight of shear.
     """
 
     normal_stiffness: float
@@ -134,6 +142,10 @@ class JointProperties(NamedTuple):
     elastic_unloading: float | None = None
     plastic_softening: float | None = None
     combined: float | None = None
+    compressive_strength: float | None = None
+    crushing_energy: float | None = None
+    closing_at_peak: float | None = None
+    cap_shear_factor: float | None = None
 
 
 def softens_in_shear(joint: JointProperties) -> bool:

@@ -216,6 +216,7 @@ def initial_state(group: np.ndarray, joint_properties: list[JointProperties]) ->
         stiffness,
         dilates=any(i.tan_dilation is not None for i in joint_properties),
         permanent_opening=any(i.elastic_unloading is not None for i in joint_properties),
+        crushes=any(i.compressive_strength is not None for i in joint_properties),
     )
 
 
@@ -228,4 +229,5 @@ def group_state(state: ContactState, joint: JointProperties) -> ContactState:
         dilation=state.dilation if dilates else None,
         permanent_opening=state.permanent_opening if joint.elastic_unloading is not None else None,
         plastic_slip=state.plastic_slip if dilates else None,
+        crushed=state.crushed if joint.compressive_strength is not None else None,
     )

@@ -6,7 +6,10 @@ from statistics import NormalDist
 
 import numpy as np
 
-PROPERTIES = ("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2")
+PROPERTIES = (
+    *("tensile_strength", "cohesion", "fracture_energy_mode_1", "fracture_energy_mode_2"),
+    *("compressive_strength", "fracture_energy_compression"),
+)
 """What can be drawn, each with a place of its own in a set of draws: naming one more leaves the others as they were."""
 
 

@@ -24,7 +24,7 @@ class Event(NamedTuple):
 class SuddenCracks:
     """The sudden cracks of a run, and the one that goes on, if one does.
 
-    densities, damped  what contacts (C, 3) J/m2 and damping (J) had taken when the specimen followed its drive last
+    densities, damped  what contacts, of `_densities`, and damping (J) had taken when the specimen followed its drive
     """
 
     def __init__(self, model: Model) -> None:
@@ -52,14 +52,15 @@ class SuddenCracks:
         return bool(self.densities.any())
 
     def _densities(self) -> np.ndarray:
-        """(C, 3) J/m2 that each contact has dissipated: a copy."""
-        dissipated = self.model.state.dissipated
-        return np.zeros((0, 3)) if dissipated is None else dissipated.copy(order="K")
+        """(C, 3) J/m2 that each contact has dissipated, or (C, 4) with crushing: a copy."""
+        dissipated, crushed = self.model.state.dissipated, self.model.state.crushed
+        if dissipated is None:
+            return np.zeros((0, 3))
+        return dissipated.copy(order="K") if crushed is None else np.column_stack([dissipated, crushed[:, 2]])
 
     def _energies(self, densities: np.ndarray) -> np.ndarray:
         """(C,) J."""
-        mode_1, mode_2, friction = densities.T
-        return np.asarray(self.model.joints.area[: len(densities)] * (mode_1 + mode_2 + friction))
+        return np.asarray(self.model.joints.area[: len(densities)] * sum(densities.T))
 
     def _damped(self) -> float:
         """J that damping has taken from all bodies."""

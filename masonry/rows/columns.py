@@ -48,13 +48,20 @@ GRAVITY = 9.80665
 """m/s2, by which accelerations are told as shares of g."""
 RATES = {"velocity": "m/s", "acceleration": "m/s2"}
 """Units of gauges that read no displacement, by what they read."""
+CRUSHING = "crushing"
+"""The column (J) of a run that models crushing."""
 DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 """What cracks and slip dissipate."""
 
 
+def dissipated_in(columns: Iterable[str]) -> tuple[str, ...]:
+    """The columns of what cracks, slip and, where it is modelled, crushing dissipate."""
+    return (*DISSIPATED, CRUSHING) if CRUSHING in columns else DISSIPATED
+
+
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, *GROUND.values()}
+    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, CRUSHING, *GROUND.values()}
     return [column for column in columns if column not in others]
 
 
@@ -64,7 +71,7 @@ def unit_of(column: str) -> str:
     if column in GROUND.values():
         return "m/s2"
     return (
-        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J"}.get(column)
+        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J", CRUSHING: "J"}.get(column)
         or UNITS.get(column)
         or LARGE_UNITS.get(column, "m")
     )

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from masonry.rows.columns import DISSIPATED, FACTOR
+from masonry.rows.columns import FACTOR, dissipated_in
 from masonry.rows.peak import only_rises
 
 HOME = 1e-9
@@ -56,7 +56,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
     ends, at, cycles = bounds(place), _touching(place), []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):
         inner = slice(int(np.ceil(begin)), int(np.floor(end)) + 1)
-        dissipated = {key: _between(rows[key], begin, end) for key in DISSIPATED}
+        dissipated = {key: _between(rows[key], begin, end) for key in dissipated_in(rows)}
         cycles.append(
             {
                 "closed": bool(abs(_at(at, end) - _at(at, begin)) <= TOUCH * float(np.abs(at).max())),

@@ -3,12 +3,13 @@
 from typing import NamedTuple
 
 from masonry.configuration.energy import Seen
+from masonry.rows.columns import CRUSHING
 from masonry.runtime.state_file import Remembering
 
 
 class DriveRow(NamedTuple):
     """What a row shows to a drive: forces of drive and support (N), what contacts show, and energies (J): stored,
-    dissipated by fracture, of motion, and what damping took."""
+    dissipated by fracture and crushing, of motion, and what damping took."""
 
     force: float
     support: float
@@ -22,7 +23,7 @@ class DriveRow(NamedTuple):
     def of(cls, force: float, support: float, seen: Seen, terms: dict[str, float]) -> "DriveRow":
         """From the ledger (J)."""
         stored = terms["elastic_blocks"] + terms["elastic_contacts"]
-        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"]
+        broken = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms.get(CRUSHING, 0.0)
         return cls(force, support, seen, stored, broken, terms["kinetic"], terms["damping"])
 
 

@@ -17,6 +17,7 @@ from masonry.quantity import convert
 from masonry.scene.tables.types import (
     SOFTEST,
     Angle,
+    CrushingStrength,
     Dashpot,
     Density,
     Energy,
@@ -72,6 +73,11 @@ class Contact(Table):
     unloading: Literal["secant", "elastic"] = "secant"
     softening_variable: Literal["displacement", "plastic"] | None = None
     coupling: Literal["combined", "independent"] = "combined"
+    crushing: Literal["cap", "cut-off"] | None = None
+    compressive_strength: CrushingStrength | None = None
+    fracture_energy_compression: Energy | None = None
+    closing_at_peak: Length | None = None
+    cap_shear_factor: Annotated[float | None, Given("number", "[0, 1e6]")] = None
     normal_dashpot: Dashpot | None = None
     restitution: Annotated[float | None, Given("number", "[0.1, 1)")] = None
 
@@ -86,7 +92,8 @@ class Contact(Table):
             *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
             *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
             *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
-            *("dilation_cutoff", "unloading", "softening_variable", "coupling", *self.law_keys),
+            *("dilation_cutoff", "unloading", "softening_variable", "coupling", "crushing", "compressive_strength"),
+            *("fracture_energy_compression", "closing_at_peak", "cap_shear_factor", *self.law_keys),
         )
         values = {key: getattr(self, key) for key in keys}
         if self.normal_dashpot is not None:
@@ -133,6 +140,7 @@ class Contact(Table):
                 raise KeyedError(tangent, f"{plain} and {tangent} are two spellings of one property; keep one of them")
         if self.normal_dashpot is not None and self.restitution is not None:
             raise KeyedError("restitution", "normal_dashpot and restitution exclude each other; keep one of them")
+        self._require_of_crushing()
         if 0.0 < self.shear_stiffness < SOFTEST:
             raise KeyedError("shear_stiffness", f"must be 0, or in [{SOFTEST:g}, 1e22]")
         if self.law == "elastic":
@@ -142,6 +150,27 @@ class Contact(Table):
         if self.shear_stiffness == 0.0:
             raise KeyedError("shear_stiffness", f"must be more than 0 for law {self.law}; 0 is for law elastic only")
         return self
+
+    def _require_of_crushing(self) -> None:
+        """The keys of crushing go together."""
+        cap = ("closing_at_peak", "cap_shear_factor")
+        for key in ("fracture_energy_compression", *cap):
+            if getattr(self, key) is not None and self.crushing is None:
+                raise KeyedError(key, 'goes with crushing = "cap" or "cut-off"; name one of them')
+        for key in cap:
+            if getattr(self, key) is not None and self.crushing == "cut-off":
+                raise KeyedError(key, 'belongs to crushing = "cap"; a cut-off has none: leave it out')
+        if self.crushing is None:
+            return
+        if self.law == "elastic":
+            raise KeyedError("crushing", "law elastic has no strength; choose another law: friction, linear, ...")
+        required = (
+            "compressive_strength",
+            *(("fracture_energy_compression", cap[0]) if self.crushing == "cap" else ()),
+        )
+        for key in required:
+            if getattr(self, key) is None:
+                raise KeyedError(key, f'missing for crushing = "{self.crushing}"')
 
     @model_serializer(mode="wrap")
     def _write(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo[Any]) -> dict[str, Any]:

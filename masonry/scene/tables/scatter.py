@@ -15,6 +15,8 @@ class Scattered(Table):
     cohesion: Variation | None = None
     fracture_energy_mode_1: Variation | None = None
     fracture_energy_mode_2: Variation | None = None
+    compressive_strength: Variation | None = None
+    fracture_energy_compression: Variation | None = None
     correlation: UnitInterval = 1.0
 
     @property
