@@ -8,9 +8,9 @@ time. Limits of the gates lie above what was measured.
 import numpy as np
 import pytest
 
+from masonry.laws.building.plugins import plugin_law
 from masonry.laws.exponential import Exponential
 from masonry.laws.linear import Linear
-from masonry.laws.plugins import plugin_law
 from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, law_in_lanes, law_with_if, on_the_path
 from verification.reference_step import models, specimens

@@ -27,6 +27,7 @@ FLOORS = (
         "masonry.statics",
         "masonry.detection",
         "masonry.laws",
+        "masonry.laws.building",
         "masonry.kinematics",
         "masonry.patches",
         "masonry.kernels",
@@ -73,6 +74,7 @@ FLOORS = (
 PACKAGES = {
     **dict.fromkeys(("masonry.errors", "masonry.entry_points"), ""),
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics"), "numpy numba llvmlite"),
+    "masonry.laws.building": "numpy numba llvmlite",
     **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
     "masonry.detection": "numpy numba",

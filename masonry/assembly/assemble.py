@@ -25,7 +25,7 @@ from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
 from masonry.configuration.setting_off import begin
 from masonry.errors import SceneError, nearest
-from masonry.laws import factory
+from masonry.laws.building import factory
 from masonry.loading.plan import Plan
 from masonry.model import model
 from masonry.model.contact_groups import contact_group_name

@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.errors import SceneError
-from masonry.laws import factory
+from masonry.laws.building import factory
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.damping import swing_of
 from masonry.model.large.meeting import Meetings
@@ -29,7 +29,7 @@ class Pairs:
     number      (G, G, 2) of the group for blocks of groups g and h (of Blocks.groups), of two units (0) or of one (1);
                 symmetric; -1 where there are no two such blocks
     properties  by name, as Contact.properties gives them; normal_dashpot is a key where the table has one
-    laws        by name, (parameters, properties) of its law, as laws.factory.build makes them
+    laws        by name, (parameters, properties) of its law, as laws.building.factory.build makes them
     """
 
     names: tuple[str, ...]

@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.blocks import Blocks, Joints
 from masonry.errors import SceneError, nearest
-from masonry.laws import factory
+from masonry.laws.building import factory
 from masonry.laws.state import JointProperties
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
@@ -91,7 +91,7 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
 def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[float]) -> tuple[Any, JointProperties]:
     """(parameters, joint) of a group with an array (c,) for each parameter that differs; raises SceneError.
 
-    properties, compressions  as for laws.factory.build; the properties that are drawn give the mean
+    properties, compressions  as for laws.building.factory.build; the properties that are drawn give the mean
     """
     laws: list[tuple[Any, JointProperties]] = []
     for j in range(len(drawn.pairs)):

@@ -7,7 +7,7 @@ from typing import Any, get_args
 from masonry.entry_points import plugins
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.plugins import all_law_names, plugin_law
+from masonry.laws.building.plugins import all_law_names, plugin_law
 from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
 
@@ -57,7 +57,7 @@ def main(arguments: list[str] | None = None) -> int:
         require_free(plot, words.overwrite)
     contact = _contact(words.name, words.changes)
     from masonry.drawings.law_portrait import COMPRESSIONS, portrait
-    from masonry.laws.factory import build
+    from masonry.laws.building.factory import build
 
     parameters, joint = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
     measured = portrait(parameters, joint)
@@ -73,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _list() -> list[str]:
     """A line for each law: name, where it comes from, what it is or what is wrong with it."""
-    from masonry.laws.factory import module_of
+    from masonry.laws.building.factory import module_of
     from masonry.runtime.tables import columns
 
     rows = [(name, "masonry", _first_line(module_of(name))) for name in law_names()]
@@ -110,7 +110,7 @@ def _contact(name: str, changes: list[str]) -> Any:
 
 
 def _about(name: str, contact: Any, parameters: Any) -> list[tuple[str, list[str]]]:
-    from masonry.laws.factory import module_of, properties_of
+    from masonry.laws.building.factory import module_of, properties_of
 
     own = None if name in law_names() else plugin_law(name)
     module = module_of(name)
@@ -158,7 +158,7 @@ def _kind(table: Any, key: str) -> str:
 
 def _energies(contact: Any, measured: Any) -> list[tuple[str, list[str]]]:
     """What was measured, against what is given."""
-    from masonry.laws.factory import properties_of
+    from masonry.laws.building.factory import properties_of
 
     rows = []
     read = properties_of(contact.law)

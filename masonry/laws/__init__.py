@@ -1,6 +1,7 @@
-"""Contact laws: equations only, a file each. `law_dispatch.py` lets them into the step, `factory.py` checks numbers.
+"""Contact laws: equations only, a file each. `law_dispatch.py` lets them into the step; building/ checks
+numbers.
 
-Laws of other packages come in by `plugins.py`, and import what they need from here.
+Laws of other packages come in by `building/plugins.py`, and import what they need from here.
 """
 
 from functools import cache

@@ -6,7 +6,7 @@ from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import moments
 from masonry.assembly.assemble import joined, require_contact_groups
 from masonry.errors import SceneError
-from masonry.laws.factory import made
+from masonry.laws.building.factory import made
 from masonry.model.contact_groups import contact_groups
 from masonry.scene import Scene
 from masonry.scene.tables.point_counts import PerAxis

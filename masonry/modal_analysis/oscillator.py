@@ -16,7 +16,7 @@ from masonry.assembly.assemble import joined, material_of, meshed, require_conta
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of
 from masonry.assembly.masses import density_of, moving_density_of
-from masonry.laws import factory
+from masonry.laws.building import factory
 from masonry.laws.state import JointProperties
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, lay_out, real_masses, tet_gradients, tet_volumes

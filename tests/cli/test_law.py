@@ -12,7 +12,7 @@ from masonry.drawings import law_portrait
 from masonry.drawings.law_picture import law_figure
 from masonry.drawings.law_portrait import COMPRESSIONS, portrait
 from masonry.errors import SceneError
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from masonry.scene.tables.contact_group import Contact
 from tests.laws.own_package import files_of_page, install, on_the_path
 from verification.fixtures.one_contact import law

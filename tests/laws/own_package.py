@@ -9,7 +9,7 @@ from importlib import invalidate_caches
 from pathlib import Path
 
 from masonry import entry_points
-from masonry.laws import plugins as outside
+from masonry.laws.building import plugins as outside
 from masonry.scene.tables import law_keys
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "own-laws.md"

@@ -7,7 +7,7 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.laws import law_names
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from verification.fixtures.one_contact import TABLE_1, along, law, walk
 
 ENERGIES = {

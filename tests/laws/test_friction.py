@@ -7,7 +7,7 @@ from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
 from masonry.results.frame_choice import choose

@@ -11,7 +11,7 @@ from masonry import entry_points
 from masonry.drawings.law_portrait import portrait
 from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from masonry.scene import load, to_toml
 from masonry.sweep.job import Job
 from tests.laws.own_package import files_of_page, install, law_by_slip, law_in_lanes, law_with_if, on_the_path

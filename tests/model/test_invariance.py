@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from geometry.joints.find import find_joints
 from masonry.configuration.energy import present
-from masonry.laws import factory
+from masonry.laws.building import factory
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
 from tests.model.eigen import true_limit

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from masonry.configuration import energy
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from masonry.model.model import Model
 from verification import balance
 from verification.case import Findings

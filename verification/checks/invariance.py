@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from masonry.configuration.energy import present
-from masonry.laws.factory import build
+from masonry.laws.building.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
 from verification.case import Findings

@@ -5,7 +5,7 @@ import numpy as np
 from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
-from masonry.laws.factory import properties_of
+from masonry.laws.building.factory import properties_of
 
 REACH = 0.9
 """Share of the way from the middle of a joint to its corners: contact points that reach less far leave a lever arm that

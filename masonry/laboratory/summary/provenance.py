@@ -14,7 +14,7 @@ from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import ALL, package_hash, source_hash
 from masonry.laws import law_names
-from masonry.laws.plugins import plugin_law
+from masonry.laws.building.plugins import plugin_law
 from masonry.runtime.processors import compiled_for
 
 SHOWING = (

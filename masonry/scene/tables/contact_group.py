@@ -87,7 +87,7 @@ class Contact(Table):
         return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
 
     def properties(self, turns_back: bool = False) -> dict[str, Any]:
-        """SI values by name, as `laws.factory.build` takes them; turns_back: whether loading does, where it matters."""
+        """SI values by name, as `factory.build` takes them; turns_back: whether loading does, where it matters."""
         keys = (
             *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
             *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),

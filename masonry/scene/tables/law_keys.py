@@ -9,7 +9,7 @@ from pydantic import SerializeAsAny, ValidationInfo, ValidatorFunctionWrapHandle
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
-from masonry.laws.plugins import plugin_law, plugin_law_names
+from masonry.laws.building.plugins import plugin_law, plugin_law_names
 from masonry.quantity import KINDS, is_interval
 from masonry.scene.tables.contact_group import Contact
 from masonry.scene.tables.types import Given

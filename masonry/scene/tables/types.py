@@ -16,7 +16,7 @@ from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from masonry.errors import SceneError
 from masonry.laws import law_names
-from masonry.laws.plugins import all_law_names, plugin_law
+from masonry.laws.building.plugins import all_law_names, plugin_law
 from masonry.quantity import KINDS, convert
 
 

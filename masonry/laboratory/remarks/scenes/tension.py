@@ -1,14 +1,14 @@
 """Does a tensile strength do what its number says? Beyond the apex of the Coulomb line nothing holds a slip, and it is
 cut there; next to nothing it is taken as 0; and a fracture energy too large for it holds a joint together for ever.
 
-The limits are those of the laws (`masonry/laws/factory.py`), and the size of the smallest block.
+The limits are those of the laws (`masonry/laws/building/factory.py`), and the size of the smallest block.
 """
 
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
-from masonry.laws.factory import NOTHING, properties_of
+from masonry.laws.building.factory import NOTHING, properties_of
 from masonry.laws.state import JointProperties
 from masonry.monitors.stability import smallest_block
 from masonry.scene.tables.contact_group import Contact
