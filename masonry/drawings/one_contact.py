@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from masonry.laws.compression_cap import closed_by, crush, left_by_cap, within_cap
 from masonry.laws.cone import slip_of
-from masonry.laws.crushing import closed_by, crush, left_by_cap, within_cap
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
 

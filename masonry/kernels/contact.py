@@ -6,8 +6,8 @@ from numba import prange
 
 from masonry.jit.compiler import inner, inner_parallel, jit
 from masonry.jit.extending import register_jitable
+from masonry.laws.compression_cap import bore, closed_by, crush, left_by_cap, within_cap
 from masonry.laws.cone import acted, slip_of
-from masonry.laws.crushing import bore, closed_by, crush, left_by_cap, within_cap
 from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory, grown

@@ -126,7 +126,7 @@ class JointProperties(NamedTuple):
 
     The stress is sigma > 0 in tension, so the Coulomb line of eq. (8) reads |tau| <= c - sigma tan(phi).
     `tan_dilation` (eqs 9, 10) holds up to `dilation_cutoff` (m) of plastic slip. The next three are options:
-    1.0 or None. The last ones are those of crushing (crushing.py), None where it is not modelled: strength (Pa),
+    1.0 or None. The last ones are those of crushing (compression_cap.py), None where it is not modelled: strength (Pa),
     energy (N/m, None where nothing softens), and of the cap the closing at its peak (m) and the weight of shear.
     """
 

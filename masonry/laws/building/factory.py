@@ -8,7 +8,7 @@ from typing import Any
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
 from masonry.laws.building.plugins import all_law_names, plugin_law
-from masonry.laws.crushing import refuse_crushing
+from masonry.laws.compression_cap import refuse_crushing
 from masonry.laws.law_dispatch import beside, shear_intact
 from masonry.laws.snap_back import Refusal, lost_in_shear
 from masonry.laws.state import JointProperties
