@@ -1,19 +1,22 @@
 """The interface model: it shares nothing with the solver, and it is what it says it is."""
 
 import ast
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 from verification.cases.fracture import wallette_of_two_courses
 from verification.checks.paired_run import interface_model
 from verification.references import closed_forms
 from verification.references.interface import newton
+from verification.references.interface.crushing import Compression, bears
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import InterfaceModel, model
-from verification.references.interface.points import PointHistory, tangent, traction, unharmed
+from verification.references.interface.points import tangent, traction, unharmed
 from verification.scene_runs import assembled
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -95,10 +98,61 @@ def test_damage_of_one_mode_lowers_the_other_where_they_are_combined():
         joint = law("exponential", combined=combined)
         torn = traction(joint, unharmed(joint, 1), X, (joint.opening_at_peak + 2e-6) * X)[1]
         t, _ = traction(joint, torn, X, np.array([[0.0, 1e-3, 0.0]]))
-        slid = PointHistory(torn.widest, torn.tension, np.ones(1), torn.slip)
+        slid = replace(torn, shear=np.ones(1))
         assert t[0, 1] < left * joint.c0
         tangential, _ = traction(joint, slid, X, np.array([[0.0, 0.99 * left * joint.c0 / joint.ks, 0.0]]))
         assert tangential[0, 1] == pytest.approx(0.99 * left * joint.c0, rel=1e-12)
+
+
+CAP = Compression(10e6, 5e3, 0.09e-3, 9.0)
+
+
+def pressed(joint: Law, closing: np.ndarray, slip: np.ndarray) -> np.ndarray:
+    """(N, 2) Pa, compression and shear stress along a path of closing and slip (m)."""
+    history, stress = unharmed(joint, 1), []
+    for down, along in zip(closing, slip, strict=True):
+        t, history = traction(joint, history, X, np.array([[-down, along, 0.0]]))
+        stress.append((-t[0, 0], t[0, 1]))
+    return np.array(stress)
+
+
+def test_the_areas_under_the_strength_of_the_cap_are_those_of_the_closed_forms():
+    """Hardening fm kp (1/3 + pi/6); softening above fm/10: G_c."""
+    hardening = quad(lambda k: float(bears(CAP, k)), 0.0, CAP.kp, epsabs=1e-9)[0]
+    softening = quad(lambda k: float(bears(CAP, k)) - 0.1 * CAP.fm, CAP.kp, 1e-2, epsabs=1e-9, points=[6.5e-4])[0]
+    assert hardening == pytest.approx((1.0 / 3.0 + np.pi / 6.0) * CAP.fm * CAP.kp, rel=1e-9)
+    assert softening == pytest.approx(CAP.G_c, rel=1e-9)
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.2, 0.5, 1.0])
+def test_a_proportional_path_meets_the_cap_where_it_should_and_flows_along_its_normal(ratio):
+    """Closing p/kn + k cos a and slip r p/ks + k sin a with tan a = Css r keep the stresses at t = r p all the way."""
+    joint = law("exponential", c0=100e6, compression=CAP)
+    k = np.linspace(0.0, 4e-3, 200) ** 2 / 4e-3
+    p = bears(CAP, k) / np.sqrt(1.0 + 9.0 * ratio**2)
+    length = np.hypot(1.0, 9.0 * ratio)
+    stress = pressed(joint, p / joint.kn + k / length, ratio * p / joint.ks + 9.0 * ratio * k / length)
+    assert np.abs(stress[:, 0] - p).max() < 1e-9 * CAP.fm
+    assert np.abs(stress[:, 1] - ratio * p).max() < 1e-9 * CAP.fm
+
+
+def test_where_cap_and_coulomb_meet_both_hold_at_once():
+    joint = law("exponential", c0=0.1e6, tan0=0.3, tan_res=0.3, compression=CAP)
+    t = np.linspace(0.0, 1.0, 100)
+    stress = pressed(joint, 3e-4 * t, 6e-4 * t**2)
+    p, tau = stress.T
+    both = (tau >= 0.3 * p * (1.0 - 1e-9)) & (p > 1e6) & (t > 0.5)
+    assert both.sum() > 15
+    assert np.hypot(p, 3.0 * tau).max() <= CAP.fm * (1.0 + 1e-9) and np.all(tau <= joint.c0 + 0.3 * p + 1.0)
+
+
+def test_a_cut_off_falls_along_its_line_and_unloads_by_kn():
+    joint = law("exponential", compression=Compression(10e6, 5e3))
+    end = 2.0 * 5e3 / 10e6
+    path = np.array([0.2e-3, 0.5 * end + 5e6 / joint.kn, 0.5 * end, 2.0 * end])
+    p = pressed(joint, path, 0.0 * path)[:, 0]
+    assert p[:2] == pytest.approx([10e6 * (1.0 - (path[0] - p[0] / joint.kn) / end), 5e6], rel=1e-9)
+    assert p[2:] == pytest.approx([0.0, 0.0], abs=1e-3)
 
 
 def test_the_tangent_is_the_derivative_while_softening_in_both_modes():

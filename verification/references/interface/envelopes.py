@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from verification.references.interface.crushing import Compression
+
 Array = np.ndarray
 
 
@@ -17,6 +19,7 @@ class Law:
     kn, ks            Pa/m                       fT, c0, c_res  Pa      tan0, tan_res  1
     G_I, G_II         N/m; G_II + G_II_slope times the compression      alpha, beta  exponents of eqs (14), (15)
     combined          one damage D = dt + ds - dt ds lowers tension and cohesion together, else each its own
+    compression       what it bears in compression, without end where None
     """
 
     kind: str
@@ -33,6 +36,7 @@ class Law:
     alpha: float = 3.0
     beta: float = 3.0
     combined: bool = True
+    compression: Compression | None = None
 
     @property
     def opening_at_peak(self) -> float:

@@ -4,6 +4,8 @@ The definition, point by point. D = dt + ds - dt ds shared by both modes (1 - D 
   tension   wn = envelope at the largest opening so far, kappa;  sigma = wn ws (fT/kappa) e for e > 0, kn e for e < 0
   shear     |tau| <= t_res + wn ws (t_max - t_res), both strengths at the sigma that acts;  unloading by ks
             ws follows the curve of that sigma, from where it has this ws, by the slip beyond the strength left before
+  crushing  plastic closing by a cap or a cut-off (crushing.py): openings are those beyond it; the slip of the cap is
+            none of Coulomb's, so it softens nothing
   c_res     acts between faces that touch: torn faces that stand open by e lose it in the proportion D e/kappa
 sigma depends on ws and ws on sigma: both hold at once here, found by repeated substitution.
 """
@@ -12,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from verification.references.interface.crushing import cap, cut_off
 from verification.references.interface.envelopes import Law, shear_left, slip_of_fraction, tension_left
 
 Array = np.ndarray
@@ -21,17 +24,23 @@ SETTLED = 1e-15
 
 @dataclass(frozen=True)
 class PointHistory:
-    """Of n points: largest opening (n,) m, shares left in tension and shear (n,), plastic slip (n, 3) m."""
+    """Of n points: largest opening (n,) m, shares left in tension and shear (n,), plastic slip (n, 3) m; of those that
+    crush the plastic closing (n,) m and the hardening variable (n,) m."""
 
     widest: Array
     tension: Array
     shear: Array
     slip: Array
+    closing: Array
+    hardening: Array
 
 
 def unharmed(law: Law, count: int) -> PointHistory:
     """The history of points to which nothing has happened."""
-    return PointHistory(np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)))
+    none = np.zeros(count)
+    return PointHistory(
+        np.full(count, law.opening_at_peak), np.ones(count), np.ones(count), np.zeros((count, 3)), none, none
+    )
 
 
 def traction(law: Law, history: PointHistory, normal: Array, jump: Array) -> tuple[Array, PointHistory]:
@@ -40,10 +49,42 @@ def traction(law: Law, history: PointHistory, normal: Array, jump: Array) -> tup
     s = jump - e[..., None] * normal
     if law.kind == "elastic":
         return law.kn * e[..., None] * normal + law.ks * s, history
-    widest = np.maximum(history.widest, e)
-    wn = np.where(e > history.widest, np.minimum(history.tension, tension_left(law, widest)), history.tension)
     trial = law.ks * (s - history.slip)
     size = np.sqrt(np.einsum("...i,...i->...", trial, trial))
+    closing, crushed_slip, hardening = crushed(law, history, e, size)
+    e = e + closing
+    left = size - law.ks * crushed_slip
+    sigma, strength, widest, wn, ws = coulomb(law, history, e, left)
+    bears = np.minimum(strength, left)
+    fraction = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
+    tau = fraction[..., None] * trial
+    slip = history.slip + (1.0 - fraction)[..., None] * trial / law.ks
+    return sigma[..., None] * normal + tau, PointHistory(widest, wn, ws, slip, closing, hardening)
+
+
+def crushed(law: Law, history: PointHistory, e: Array, size: Array) -> tuple[Array, Array, Array]:
+    """The closing (m) so far, the slip (m) by the cap in this step, and the hardening variable (m) after it."""
+    still = np.zeros_like(e)
+    if law.compression is None:
+        return history.closing + still, still, history.hardening + still
+    pressed = -law.kn * (e + history.closing)
+    if law.compression.css is None:
+        closing = cut_off(law.compression, law.kn, history.hardening + still, pressed)
+        return history.closing + closing, still, history.hardening + closing
+
+    def answer(p: Array, elastic: Array) -> Array:
+        return coulomb(law, history, -p / law.kn, elastic)[1]
+
+    hardening = history.hardening + still
+    closing, slip, longer = cap(law.compression, law.kn, law.ks, hardening, pressed, size, answer)
+    return history.closing + closing, slip, hardening + longer
+
+
+def coulomb(law: Law, history: PointHistory, e: Array, size: Array) -> tuple[Array, Array, Array, Array, Array]:
+    """Normal stress and shear strength (Pa) at an opening e (m) beyond what has closed for good and an elastic shear
+    stress (Pa), with the largest opening and the shares left in tension and shear."""
+    widest = np.maximum(history.widest, e)
+    wn = np.where(e > history.widest, np.minimum(history.tension, tension_left(law, widest)), history.tension)
     ws = np.broadcast_to(history.shear, e.shape)
     for _ in range(ROUNDS):
         before = ws
@@ -60,11 +101,7 @@ def traction(law: Law, history: PointHistory, normal: Array, jump: Array) -> tup
             break
     sigma = normal_stress(law, widest, wn, ws, e)
     peak, residual = strengths(law, widest, wn, sigma, e)
-    bears = residual + ws * (wn if law.combined else 1.0) * (peak - residual)
-    fraction = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
-    tau = fraction[..., None] * trial
-    slip = history.slip + (1.0 - fraction)[..., None] * trial / law.ks
-    return sigma[..., None] * normal + tau, PointHistory(widest, wn, ws, slip)
+    return sigma, residual + ws * (wn if law.combined else 1.0) * (peak - residual), widest, wn, ws
 
 
 def normal_stress(law: Law, widest: Array, wn: Array, ws: Array, e: Array) -> Array:
@@ -85,7 +122,10 @@ def tangent(law: Law, history: PointHistory, normal: Array, jump: Array) -> Arra
     if law.kind == "elastic":
         nn = normal[:, :, None] * normal[:, None, :]
         return law.kn * nn + law.ks * (np.eye(3) - nn)
-    h = 1e-6 * min(length for length in (law.opening_at_peak, law.c0 / law.ks) if length > 0.0)
+    lengths = [law.opening_at_peak, law.c0 / law.ks]
+    if law.compression is not None:
+        lengths.append(law.compression.fm / law.kn)
+    h = 1e-6 * min(length for length in lengths if length > 0.0)
     shift = h * np.concatenate([np.eye(3), -np.eye(3)])[:, None, :]
     moved = traction(law, history, normal, jump + shift)[0]
     return np.moveaxis(moved[:3] - moved[3:], 0, -1) / (2.0 * h)
