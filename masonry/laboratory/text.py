@@ -132,6 +132,7 @@ def summary_rows(summary: Summary) -> Rows:
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *_collapse_rows(summary),
         *_gauge_rows(summary, driven),
+        ("compression", [pressed_text(summary)] if summary.compression_max_pa else []),
         *_balance_rows(summary, driven),
         *(_slow_rows(summary) if driven and not summary.in_real_time else []),
         ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
@@ -307,6 +308,14 @@ def gauge_text(readings: Readings, driven: bool = True) -> str:
         return f"{_number(readings.final, 1.0, readings.unit)} at the end"
     at_peak, final = _number(readings.at_peak_m, 1e3, "mm"), _number(readings.final_m, 1e3, "mm")
     return f"{at_peak} at the peak, {final} at the end" if driven else f"{final} at the end"
+
+
+def pressed_text(summary: Summary) -> str:
+    """The largest compression of a contact and of the mean of a unit, beside the strength where one is checked."""
+    share, mean = summary.compression_over_strength, summary.unit_compression_max_pa
+    checked = "" if share is None else f", {share:.3g} of its strength"
+    of_units = f", {_number(mean, 1e-6, 'MPa')} in the mean of a unit" if mean else ""
+    return f"{_number(summary.compression_max_pa, 1e-6, 'MPa')} at most in a contact{checked}{of_units}"
 
 
 def loads_text(summary: Summary) -> str:

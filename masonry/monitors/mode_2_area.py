@@ -31,7 +31,7 @@ class LawArea(Observer):
         return {}
 
     def found(self) -> dict[str, Any]:
-        return {"mode_2_over_law": self.most_taken()}
+        return {"mode_2_over_law": self.most_taken(), "compression": self.compression}
 
     def most_taken(self) -> float:
         """Largest energy of mode II of a contact over the area of its law, without compression or at the largest.

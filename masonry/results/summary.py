@@ -155,7 +155,7 @@ class SuddenCrack(Record):
 
 @dataclass(frozen=True, eq=False)
 class Damage(Record):
-    """What broke, opened and slid."""
+    """What broke, opened, slid and was pressed."""
 
     sudden_cracks: list[SuddenCrack] | None = list_of(SuddenCrack)
     released_over_dissipated: float | None = None
@@ -166,6 +166,9 @@ class Damage(Record):
     mode_2_over_law: float | None = None
     slip_max: float | None = None
     slip_limit: float | None = None
+    compression_max_pa: float | None = None
+    unit_compression_max_pa: float | None = None
+    compression_over_strength: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

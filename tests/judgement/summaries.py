@@ -11,6 +11,7 @@ DRIVEN: dict[str, Any] = {
     "mode_2_over_law": 1.0,
     "slip_max": 0.0,
     "slip_limit": 0.25,
+    "compression_over_strength": 0.5,
     "released_over_dissipated": 0.0,
     "damping_over_external": 0.0,
     "reaction_mismatch_max": 0.0,

@@ -21,6 +21,7 @@ LIMITS = [
     (DRIVEN, "force_balance", 1e-9, "forces and moments add up to 1e-09 of the largest"),
     (DRIVEN, "overlap_max", 0.01, "contacts close by up to 0.01 of a block's size"),
     (DRIVEN, "slip_max", 0.05, "contacts slid by up to 0.05"),
+    (DRIVEN, "compression_over_strength", 1.0, "contacts bear up to 1.01 times their compressive strength"),
     (with_numbers(DRIVEN, slip_limit=0.5), "slip_max", 0.1, "contacts slid by up to 0.1"),
     (DRIVEN, "released_over_dissipated", 0.01, "sudden cracks released 1 %"),
     (DRIVEN, "damping_over_external", -0.01, "damping added 1 % of the work and removed none"),

@@ -1,10 +1,13 @@
 """The interface model of a scene: the same mesh, the same points, the same properties, and other equations' code."""
 
+from typing import Any
+
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.model.contact_groups import contact_group_name
 from masonry.scene.tables.contact_group import Contact
+from verification.references.interface.crushing import Compression
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import solid
 from verification.references.interface.model import InterfaceModel, model
@@ -41,6 +44,15 @@ def law_of(contact: Contact) -> Law:
         "alpha": contact.exponent_tension,
         "beta": contact.exponent_shear,
     }
-    numbers = {name: float(value) for name, value in properties.items() if value is not None}
-    combined = contact.coupling == "combined"
-    return Law(contact.law, contact.normal_stiffness, contact.shear_stiffness, combined=combined, **numbers)
+    numbers: dict[str, Any] = {name: float(value) for name, value in properties.items() if value is not None}
+    numbers |= {"combined": contact.coupling == "combined", "compression": compression_of(contact)}
+    return Law(contact.law, contact.normal_stiffness, contact.shear_stiffness, **numbers)
+
+
+def compression_of(contact: Contact) -> Compression | None:
+    """How it crushes; None where that is not modelled."""
+    if contact.crushing is None or contact.compressive_strength is None:
+        return None
+    energy = contact.fracture_energy_compression
+    cap = (contact.closing_at_peak, contact.cap_shear_factor or 0.0) if contact.crushing == "cap" else (None, None)
+    return Compression(contact.compressive_strength, np.inf if energy is None else energy, *cap)

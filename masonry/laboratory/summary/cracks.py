@@ -1,4 +1,4 @@
-"""What broke, opened and slid."""
+"""What broke, opened, slid and was pressed."""
 
 from itertools import pairwise
 
@@ -17,13 +17,16 @@ SUDDEN = 1e-3
 """Share of all energy lost, by cracks, friction and damping, from which on a sudden crack is listed."""
 ROUNDING = 1e-9
 """Share of the external work below which what sudden cracks released is but rounding."""
+TENSOR = np.array([[0, 5, 4], [5, 1, 3], [4, 3, 2]])
+"""Where xx yy zz yz xz xy stand in the tensor."""
 MOVED = 1e-12
 """Openings and slips (m) up to this one, far less than an atom, are but rounding."""
 
 
 def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[SuddenCrack]) -> Damage:
-    """Sudden cracks, broken areas, slips."""
+    """Sudden cracks, broken areas, slips, the largest compression."""
     joints, frames, observed = assembly.model.joints, outcome.history.frames, outcome.observed
+    pressed = compressions(assembly, outcome)
     return Damage(
         sudden_cracks=sudden,
         released_over_dissipated=released_by(sudden) / scales.lost if sudden and scales.lost > 0.0 else 0.0,
@@ -34,6 +37,9 @@ def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[Su
         mode_2_over_law=outcome.found["mode_2_over_law"],
         slip_max=float(observed["slip"].max()) if "slip" in observed else None,
         slip_limit=assembly.scene.solver.slip_limit,
+        compression_max_pa=float(pressed.max(initial=0.0)),
+        unit_compression_max_pa=most_in_a_unit(assembly, outcome),
+        compression_over_strength=over_strength(assembly, pressed),
     )
 
 
@@ -57,6 +63,37 @@ def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict
         name: float(model.joints.area[(model.group == g) & (damage >= threshold)].sum())
         for g, name in enumerate(model.group_names)
     }
+
+
+def compressions(assembly: Assembly, outcome: Outcome) -> np.ndarray:
+    """(C,) Pa, the largest compression of each contact at the rows; where patches took its place, at the frames."""
+    joints = outcome.found.get("compression", np.zeros(len(assembly.joints.area)))
+    pressed = [joints, *(-frame.normal_stress for frame in outcome.history.frames)]
+    return np.asarray(np.fmax.reduce(pressed))
+
+
+def most_in_a_unit(assembly: Assembly, outcome: Outcome) -> float:
+    """Pa, the largest principal compression of the mean stress of a unit at any frame, 0 where it is only pulled."""
+    blocks, volume = assembly.specimen.blocks, assembly.model.layout.volume
+    unit, most = np.unique(blocks.unit, return_inverse=True)[1], 0.0
+    whole = np.bincount(unit, volume)
+    for frame in outcome.history.frames:
+        mean = np.column_stack([np.bincount(unit, volume * stress) for stress in frame.stress.T]) / whole[:, None]
+        tensors = mean[np.isfinite(mean).all(axis=1)][:, TENSOR]
+        most = max(most, float(-np.linalg.eigvalsh(tensors).min(initial=0.0)))
+    return most
+
+
+def over_strength(assembly: Assembly, pressed: np.ndarray) -> float | None:
+    """The largest compression of a contact over its strength, of groups whose crushing is not modelled; None where
+    these have no strength in compression."""
+    model, contact = assembly.model, assembly.scene.contact
+    shares = [
+        float(pressed[model.group == g].max(initial=0.0)) / strength
+        for g, name in enumerate(model.group_names)
+        if (strength := contact[name].compressive_strength) and contact[name].crushing is None
+    ]
+    return max(shares, default=None)
 
 
 def _opened_or_slid(assembly: Assembly) -> int | None:
