@@ -43,8 +43,14 @@ def conditions_of(
         _, faces = select(specimen, joints, traction.on, where)
         if faces is None:
             raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
-        load: loads.Load = dict.fromkeys(KINDS)
-        loads.add_traction(specimen.blocks, layout, load, loads.Push(faces, np.array(traction.stress)))
+        if traction.stays_in_space and layout.deforms[specimen.blocks.face_block()[faces]].any():
+            raise SceneError(
+                f"traction.{k}.line_of_action = 'fixed': {where} = '{traction.on}' are blocks that deform; a load that "
+                "stays in place acts on rigid ones, such as a beam on top"
+            )
+        load, push = dict.fromkeys(KINDS), loads.Push(faces, np.array(traction.stress))
+        loads.add_traction(specimen.blocks, layout, load, push)
+        conditions.at_points[f"traction.{k}"] = loads.points_of(specimen.blocks, layout, push, traction.stays_in_space)
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
     _add_weight(scene, specimen, layout, conditions, density)
     _add_inertia(scene, specimen, layout, conditions, density if moving_density is None else moving_density)

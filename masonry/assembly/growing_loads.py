@@ -8,7 +8,7 @@ from geometry.polyhedra.intersect import holds
 from masonry.assembly.conditions import select
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
-from masonry.model.loads import Conditions, Load, Push, add_force, add_gravity, add_traction
+from masonry.model.loads import Conditions, Load, PointForce, Push, add_force, add_gravity, add_traction, points_of
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LimitLoad
 
@@ -24,6 +24,7 @@ def let_grow(
     assert limit is not None
     gravity = gravity_of(scene)
     loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}
+    into.at_points["limit"] = _points_of(specimen, joints, layout, limit)
     if limit.pattern == "tilt":
         turning: Load = dict.fromkeys(KINDS)
         add_gravity(layout, turning, density, np.where(np.arange(3) == _axis(limit.about), 0.0, gravity))
@@ -33,6 +34,19 @@ def let_grow(
         raise SceneError(f"nothing loads this: {limit.pattern} of [limit] acts on no block that can move")
     into.each_load |= loads
     into.varying += loads.values()
+
+
+def _points_of(specimen: Specimen, joints: Joints, layout: Layout, limit: LimitLoad) -> list[PointForce]:
+    """The forces at points of rigid blocks among the load that grows, at a factor of 1; none of it stays in space."""
+    if limit.pattern not in ("traction", "force") or (limit.pattern == "force" and limit.at is None):
+        return []
+    assert limit.on is not None
+    chosen, faces = select(specimen, joints, limit.on, "limit.on")
+    if faces is not None:
+        return points_of(specimen.blocks, layout, Push(faces, np.array(limit.stress)))
+    at, share = np.array(limit.at), layout.volume / layout.volume[chosen].sum()
+    rigid = [b for b in chosen.tolist() if not layout.deforms[b]]
+    return [PointForce(b, at - layout.centroid[b], share[b] * np.array(limit.force), False) for b in rigid]
 
 
 def gravity_of(scene: Scene) -> np.ndarray:

@@ -67,7 +67,7 @@ class LargeDisplacement:
         groups, contacts, bodies, drives = model.step_arguments()
         calls = step(
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
-            *(large.near, large.members, shared, model.acting),
+            *(large.near, large.members, shared, model.acting, model.point_loads),
         )
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))

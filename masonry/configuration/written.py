@@ -26,6 +26,14 @@ class WrittenOfBodies(NamedTuple):
     frame: np.ndarray | None
     momentum: np.ndarray | None
     patches: np.ndarray | None
+    shifted: np.ndarray | None
+
+
+class WrittenOfPoints(NamedTuple):
+    """Of PointLoads: forces, which may vary."""
+
+    load: np.ndarray
+    change: np.ndarray
 
 
 class WrittenOfMotion(NamedTuple):
@@ -95,6 +103,8 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     near = large.near
     arrays: dict[str, Any] = {"account": near.account, "area": model.contacts.area, "travel": near.motion.travel}
     arrays |= _fields("bonds", WrittenOfBonds, large.bonds) | _fields("search", WrittenOfSearch, near.search)
+    if model.point_loads is not None:
+        arrays |= _fields("point_loads", WrittenOfPoints, model.point_loads)
     if large.members is not None:
         arrays |= _fields("motion", WrittenOfMotion, near.motion) | {"rotations": large.bonds.frames}
     arrays |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}

@@ -14,6 +14,7 @@ from masonry.kernels import bonds as bonded
 from masonry.kernels import gathering
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
+from masonry.kernels.point_loads import PointLoads, shifting
 from masonry.kernels.step import displacing, driving, kicking, sweeping
 from masonry.kinematics.shared import SPARE, TRAVEL
 from masonry.patches.arrays import Near
@@ -26,16 +27,19 @@ from masonry.patches.refreshing import count_travel, looking
 def step(
     dt: float, damping: Any, groups: tuple, contacts: tuple, bonds: Bonds, bodies: Sequence[Any],
     drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS,
+    points: PointLoads | None = None,
 ) -> StepCalls:  # fmt: skip
     """The step of large displacement, for `driver.drive`: it ends where room runs out.
 
     Arguments as of kernels.step.step; contacts hold displacements and forces in the frames of the bonds.
     near     what blocks meet
     members  where some blocks deform, else None
+    points   where loads act at points of rigid blocks, else None
     """
     *_, local, force = contacts
     motion, sweeps = near.motion, sweeping(None, groups, contacts, dashpots)
     kicks = [*kicking(None, bodies, dt, damping, shared, bonds.force, bonds.u), *driving(bodies, drives, shared)]
+    kicks = [*shifting(points, bodies[0], shared), *kicks]
     moves, some_bonds = displacing(None, bodies, dt, bonds.u), len(bonds.runs) > 0
     begins = [_travel.of(motion, dt, shared)]
     if members is None:

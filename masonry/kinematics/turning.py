@@ -58,6 +58,8 @@ class Turning(NamedTuple):
     axes            (B, 3, 3) principal axes at the start in columns; None where they are x, y, z
     apart           rows like force: u_b - u_a of every contact, see levers.py; None for 0
     patches         (B, 6) force and moment about the centroid of detected contacts, or None
+    shifted         (B, 6) moments that loads at points have besides `load` as their arms change: now, and a step
+                    before; or None
     """
 
     q: np.ndarray
@@ -79,6 +81,7 @@ class Turning(NamedTuple):
     change: np.ndarray | None = None
     apart: np.ndarray | None = None
     patches: np.ndarray | None = None
+    shifted: np.ndarray | None = None
 
 
 def update_positions(body, dt, u):
@@ -158,8 +161,8 @@ def _kick(body, b, own, moment, dt, damping, loading):
     q, principal = principal_axes(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0)
     free = free_axes(vector_at(body.dt_over_mass, b, 3))
     w = spin_of(q, principal, free, angular, before)
-    load = _moment_of_load(body.load, body.change, b, loading[0])
-    earlier = _moment_of_load(body.load, body.change, b, loading[1])
+    load = _with_shift(_moment_of_load(body.load, body.change, b, loading[0]), body.shifted, b, 0)
+    earlier = _with_shift(_moment_of_load(body.load, body.change, b, loading[1]), body.shifted, b, 3)
     driving = each(free, added(moment, load))
     damped = each(free, _damping(damping, _expected(body.guess, b, loading), principal, q, driving, w, dt))
     hold = added(damped, minus(driving, added(moment, load)))
@@ -194,6 +197,12 @@ def _moment_of_load(load, change, b, load_factor):
         scaled(min(load_factor, 1.0), vector_or_zero(load, b, 3)),
         scaled(max(load_factor - 1.0, 0.0), vector_or_zero(change, b, 3)),
     )
+
+
+@register_jitable
+def _with_shift(moment, shifted, b, first):
+    """A moment of dead loads with what changing arms add to it."""
+    return moment if shifted is None else added(moment, vector_at(shifted, b, first))
 
 
 @register_jitable

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
+from masonry.kernels.point_loads import PointLoads
 from masonry.model.model import Model
 from masonry.rows.rest_criterion import LONE
 
@@ -43,6 +44,12 @@ def works_of(model: Model, moved: dict[str, np.ndarray]) -> np.ndarray:
     )
 
 
+def _at_points(model: Model) -> list[tuple[PointLoads, np.ndarray]]:
+    """Forces at points and (H, K, 3) N those of each load, where they change their moments and some of them vary."""
+    points, each = model.point_loads, model.varying_at_points
+    return [] if points is None or each is None or not model.varying else [(points, each)]
+
+
 class SharedLoads:
     """Loads that pass from some factors to others within a chunk, in proportion to its steps."""
 
@@ -54,6 +61,9 @@ class SharedLoads:
                 each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
                 at_once, vary = np.array(each[:stay]), np.array(each[stay:])
                 self.parts.append((body, body.load + at_once.sum(axis=0), vary))
+        self.at_points = [
+            (points, points.load + each[:stay].sum(axis=0), each[stay:]) for points, each in _at_points(model)
+        ]
         self.passed = np.zeros(0)
 
     def rest_over_each(self) -> float:
@@ -75,7 +85,7 @@ class SharedLoads:
         """Set the loads of the bodies for so many steps from factors (H,) to others; returns (steps + 1,) what they add
         to the factors of the dead load."""
         factors = np.stack([begin, end - begin])[:, None]
-        for body, rest, each in self.parts:
+        for body, rest, each in (*self.parts, *self.at_points):
             load, change = factors @ each.reshape(len(each), -1)
             body.load[...] = rest + load.reshape(rest.shape)
             body.change[...] = change.reshape(rest.shape)

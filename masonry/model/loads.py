@@ -1,7 +1,7 @@
 """Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,16 @@ class Push:
     stress: np.ndarray
 
 
+class PointForce(NamedTuple):
+    """Force (3,) N at a factor of 1 on a rigid block, at an arm (3,) m from its centroid at the start; `fixed`: its
+    line of action stays where it is in space, else its point is one of the block's."""
+
+    block: int
+    arm: np.ndarray
+    force: np.ndarray
+    fixed: bool
+
+
 @dataclass
 class Conditions:
     """Per kind: masks of what supports and drive prescribe, dead loads (None where there are none); flat indices of the
@@ -33,6 +43,7 @@ class Conditions:
     quiet   dashpots of faces at which waves leave; None without any
     motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
+    at_points  by load, its forces at points of rigid blocks, whose moments change as blocks move in large displacement
     moved   per kind, (K, 3) row and number of the dofs that the ground moves, and which of its components does
     """
 
@@ -49,6 +60,7 @@ class Conditions:
     spin: np.ndarray | None = None
     moved: dict[str, np.ndarray] = field(default_factory=dict)
     components: int = 0
+    at_points: dict[str, list[PointForce]] = field(default_factory=dict)
 
 
 def no_conditions(layout: Layout) -> Conditions:
@@ -79,6 +91,17 @@ def add_traction(blocks: Blocks, layout: Layout, load: dict, push: Push) -> None
     if layout.mesh is not None and len(meshed):
         nodes, tributary = surface_nodes(layout.mesh, blocks, meshed)
         np.add.at(_of(load, "tets", layout), nodes, tributary[:, None] * push.stress)
+
+
+def points_of(blocks: Blocks, layout: Layout, push: Push, fixed: bool = False) -> list[PointForce]:
+    """The forces of a traction on rigid blocks, one a face."""
+    area, _, centre = measures.face_areas_normals_centroids(blocks)
+    owner = blocks.face_block()
+    return [
+        PointForce(int(owner[f]), centre[f] - layout.centroid[owner[f]], push.stress * area[f], fixed)
+        for f in push.faces
+        if not layout.deforms[owner[f]]
+    ]
 
 
 def add_force(layout: Layout, load: dict, b: int, force: np.ndarray, arm: np.ndarray) -> None:

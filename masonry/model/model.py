@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from masonry.kernels.point_loads import PointLoads
 from masonry.kernels.quiet import QuietRows
 from masonry.kernels.shaking import ROOM, MovedSupports
 from masonry.laws.elastic import Elastic
@@ -25,6 +26,7 @@ from masonry.model.body_arrays import (
 from masonry.model.contact_groups import contact_groups
 from masonry.model.damping import Damping, Phases, Swing, damping_in_steps, expects_motion, local_damping
 from masonry.model.kinds import dof_words
+from masonry.model.large.forces_at_points import point_loads_of
 from masonry.model.large.meeting import (
     Large,
     Meetings,
@@ -65,6 +67,8 @@ class Model:
     large  what there is besides in large displacement; configuration/configuration.py asks whether there is
     damping  of bodies, now; phases: before and after the end of the settling, None where it stays
     dashpots  in closed contacts from then on, None without any; acting: those that act now
+    point_loads  forces at points of rigid blocks whose moments change as these move, None without any;
+    varying_at_points: (H, K, 3) N of them, of each load that varies, at a factor of 1
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     configuration  what configuration/configuration.py keeps here: what answers for its displacements
     """
@@ -98,6 +102,8 @@ class Model:
     dashpots: Dashpots | None = None
     acting: Dashpots = NO_DASHPOTS
     quiet: tuple[QuietRows | None, ...] | None = None
+    point_loads: PointLoads | None = None
+    varying_at_points: np.ndarray | None = None
     parts: Any = field(default=None, init=False, repr=False, compare=False)
     configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
@@ -196,7 +202,7 @@ def build(
         dashpots=_dashpots(stepping, dt, len(group)),
         quiet=quiet_rows(conditions.quiet, layout, masses, conditions.prescribed, dt),
     )
-    return model if meetings is None else enlarged(model, meetings, masses)
+    return model if meetings is None else with_point_loads(enlarged(model, meetings, masses), conditions)
 
 
 def _density(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
@@ -277,6 +283,16 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
         alive=bonds.alive,
         large=Large(bonds, parted[1:], near, members),
     )
+
+
+def with_point_loads(model: Model, conditions: Conditions) -> Model:
+    """The same model, where moments of loads change as blocks of it move."""
+    points, varying = point_loads_of(model.layout, conditions)
+    if points is None:
+        return model
+    rigid = model.bodies.rigid._replace(shifted=in_rows(np.zeros(model.bodies.rigid.q.shape)))
+    bodies = model.bodies._replace(rigid=rigid)
+    return replace(model, bodies=bodies, point_loads=points, varying_at_points=varying)
 
 
 def idle_where_dry(groups: Groups) -> Groups:

@@ -8,11 +8,12 @@ import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.layout import KINDS
-from masonry.model.loads import Conditions
+from masonry.model.loads import Conditions, PointForce
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
+NO_SHIFT = np.zeros((0, 3)), np.zeros((0, 3))
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -23,11 +24,13 @@ class Outer:
 
     parts   of a support or drive: 1 at the dofs that it holds; of a load: its generalised forces at a factor of 1
     varies  number of a load's history, None where its factor is that of the dead loads
+    points  of a load: forces at points of rigid blocks, whose moments change in large displacement
     """
 
     name: str
     parts: Parts
     varies: int | None = None
+    points: tuple[PointForce, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -59,8 +62,9 @@ class Surroundings:
             taken = {kind: taken[kind] | own[kind] for kind in KINDS}
             self.holds.append(Outer(name, _parts({kind: own[kind].astype(float) for kind in KINDS})))
         for name, load in conditions.each_load.items():
-            varies = [k for k, varying in enumerate(conditions.varying) if varying is load]
-            self.loads.append(Outer(name, _parts(load), *varies))
+            varies = next((k for k, varying in enumerate(conditions.varying) if varying is load), None)
+            points = tuple(conditions.at_points.get(name, ()))
+            self.loads.append(Outer(name, _parts(load), varies, points))
 
     def standing(
         self,
@@ -87,7 +91,16 @@ class Surroundings:
         for k, (one, load_factor) in enumerate(zip(self.loads, load_factors, strict=True)):
             for kind, (rows, load) in one.parts.items():
                 acting[k] += load_factor * parts[kind].resultant(rows, parts[kind].load(rows, load))
+        for k, (moments, _) in enumerate(self.shifts(model)):
+            acting[k, MOMENT] += load_factors[k] * moments.sum(axis=0)
         return acting
+
+    def shifts(self, model: Model) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Of each load, of its forces at points at a factor of 1: moments (P, 3) N m that they have besides those at
+        the start, and turns (P, 3) rad of their blocks so far."""
+        if model.point_loads is None:
+            return [NO_SHIFT] * len(self.loads)
+        return [shift_of(model, one.points) if one.points else NO_SHIFT for one in self.loads]
 
     def along(self, model: Model, axis: int | None) -> np.ndarray:
         """(L,) N: the force of each load along an axis at a factor of 1; none without an axis."""
@@ -102,6 +115,16 @@ class Surroundings:
             for kind, (rows, load) in one.parts.items():
                 work[k] += float(np.sum(load * displacements[kind][rows]))
         return work
+
+
+def shift_of(model: Model, points: tuple[PointForce, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Moments (P, 3) N m that forces at points of rigid blocks have besides those at the start, and turns (P, 3) rad of
+    these blocks so far."""
+    body, rows = model.bodies.rigid, model.layout.local[[point.block for point in points]]
+    arm, force = (np.array([getattr(point, name) for point in points]) for name in ("arm", "force"))
+    rotation = np.einsum("pij,pj->pi", body.frame[rows] - np.eye(3), arm)
+    shift = np.where([[point.fixed] for point in points], -body.q[rows, :3], rotation)
+    return np.cross(shift, force), np.array(body.q[rows, 3:])
 
 
 def _parts(values: dict[str, np.ndarray] | dict[str, np.ndarray | None]) -> Parts:
@@ -127,21 +150,36 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
 
 
 class WorkOfLoads(Observer):
-    """Work (J) of each load so far, by the trapezoid from row to row: exact while its factor stays as it is."""
+    """Work (J) of each load so far, by the trapezoid from row to row: exact while its factor stays as it is, and its
+    moments about the centroids of rigid blocks do."""
 
-    REMEMBERED = ("done", "settled", "moved", "load_factors")
+    REMEMBERED = ("done", "settled", "moved", "load_factors", "by_shifts", "moments", "turns")
 
     def __init__(self, surroundings: Surroundings) -> None:
         self.surroundings = surroundings
-        self.done, self.settled, self.moved, self.load_factors = np.zeros((4, len(surroundings.loads)))
+        count, points = len(surroundings.loads), sum(len(load.points) for load in surroundings.loads)
+        self.done, self.settled, self.moved, self.load_factors, self.by_shifts = np.zeros((5, count))
+        self.moments, self.turns = np.zeros((2, points, 3))
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         moved, now = self.surroundings.moved(model), np.array(view.load_factors)
+        if model.point_loads is not None:
+            self._shift(model)
+            moved = moved + self.by_shifts
         self.done = self.done + 0.5 * (now + self.load_factors) * (moved - self.moved)
         self.moved, self.load_factors = moved, now
         if view.settling:
             self.settled = self.done
         return {}
+
+    def _shift(self, model: Model) -> None:
+        """Add the work of the moments that changed as blocks moved, at factors of 1."""
+        of_loads = self.surroundings.shifts(model)
+        moments, turns = (np.concatenate([one[i] for one in of_loads]) for i in (0, 1))
+        done = 0.5 * np.sum((moments + self.moments) * (turns - self.turns), axis=1)
+        load = np.repeat(np.arange(len(of_loads)), [len(one[0]) for one in of_loads])
+        self.by_shifts = self.by_shifts + np.bincount(load, done, len(of_loads))
+        self.moments, self.turns = moments, turns
 
     def found(self) -> dict[str, Any]:
         return {"work_of_loads": self.done, "work_of_loads_settling": self.settled}

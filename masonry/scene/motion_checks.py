@@ -97,6 +97,9 @@ def _large_only(scene: Any) -> None:
             raise KeyedError(f"contact.{group}.normal_dashpot", f"{only}; solver.damping serves both")
         if contact.restitution is not None:
             raise KeyedError(f"contact.{group}.restitution", f"{only}; [damping] serves both")
+    for k, traction in enumerate(scene.traction):
+        if traction.stays_in_space:
+            raise KeyedError(f"traction.{k}.line_of_action", f"{only}; in small displacement no load changes its place")
     if "default" in scene.contact:
         raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
     if scene.solver.until is not None:

@@ -14,6 +14,7 @@ from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
+from tests.kinematics.test_lines_of_action import FIXED, pushed_over
 from tests.large.test_invariance import scene as toppling
 from tests.loading.test_swing import SCENE as SWING
 from tests.model.test_motion import GRAVITY, flight, standing
@@ -55,6 +56,7 @@ SCENES = {
     "turns beside a load that varies": lambda: load_scene(
         "couplet", {**TURNS, "traction": [WAVE], "settle.steps": 300, "solver.rows": 30}
     ),
+    "a load whose line stays in space": lambda: pushed_over(FIXED, pace="steps = 900", settle__steps=300),
     "gravity that turns": lambda: load_scene(
         "arch", {"gravity.tilt": {"about": "y", "angle": "2 deg", "steps": 900}, "settle.steps": 300, "solver.rows": 30}
     ),

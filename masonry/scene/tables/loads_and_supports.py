@@ -160,8 +160,14 @@ class Traction(Table):
 
     on: Selector
     stress: StressVector
+    line_of_action: Literal["moving", "fixed"] = "moving"
     history: LoadHistory = None
     duration: Duration | None = None
+
+    @property
+    def stays_in_space(self) -> bool:
+        """Whether its line of action stays where it is as the block below moves; else it goes with the face."""
+        return self.line_of_action == "fixed"
 
     @property
     def path(self) -> Timed | None:
