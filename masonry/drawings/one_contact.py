@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.laws.compression_cap import closed_by, crush, left_by_cap, within_cap
+from masonry.laws.compression_cap import is_within, return_to_cap
 from masonry.laws.cone import slip_of
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
@@ -47,17 +47,21 @@ def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: 
     fracture = friction = crushing = sigma = tau = 0.0
     rows = np.empty((len(opening), 6))
     for k, (e, s) in enumerate(zip(opening, slip, strict=True)):
-        before, e, tau = (sigma, abs(tau)), closed_by(closing, e), ks * (s - plastic)
+        before, tau = (sigma, abs(tau)), ks * (s - plastic)
+        e = e if closing is None else e + closing
         sigma, unchanged = elastic_trial(parameters, joint, history, e, tau * tau)
-        if not within_cap(hardening, joint, sigma, tau * tau, unchanged):
-            squeezed = crush(joint, history, closing, hardening, e, abs(tau), before)
-            closing, hardening, e = squeezed.closing, squeezed.hardening, squeezed.opening
-            update = return_mapping(parameters, joint, history, e, abs(s), squeezed.tau)
+        inside = closing is None or is_within(joint, hardening, sigma, tau * tau)
+        if not (unchanged and inside):
+            left = abs(tau)
+            if not inside:
+                squeezed = return_to_cap(joint, history, closing, hardening, e, sigma, left, before)
+                e, left, closing, hardening = squeezed[:4]
+                crushing += squeezed.work
+            update = return_mapping(parameters, joint, history, e, abs(s), left)
             history, sigma = update.history, update.sigma
             fracture += update.mode_1 + update.mode_2
             friction += update.friction
-            crushing += squeezed.work or 0.0
-            fraction = left_by_cap(squeezed, update.fraction, abs(tau))
+            fraction = update.fraction * left / abs(tau) if tau else update.fraction
             plastic += slip_of(update, (1.0 - fraction) * tau / ks)
             tau *= fraction
         stored = stored_energy(parameters, joint, history, e, tau * tau)

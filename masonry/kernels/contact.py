@@ -4,13 +4,13 @@ from math import sqrt
 
 from numba import prange
 
-from masonry.jit.compiler import inner, inner_parallel, jit
+from masonry.jit.compiler import inlined, inner, inner_parallel, jit
 from masonry.jit.extending import register_jitable
-from masonry.laws.compression_cap import bore, closed_by, crush, left_by_cap, within_cap
+from masonry.laws.compression_cap import acts_on, is_within, return_to_cap
 from masonry.laws.cone import acted, slip_of
 from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
-from masonry.laws.state import ContactHistory, grown
+from masonry.laws.state import ContactHistory
 from masonry.patches.branches import of_bond, pull_left, stiffness_now
 from masonry.simd import (
     any_lane,
@@ -36,6 +36,20 @@ def apart(a, b, n):
     return opening, dx - opening * n[0], dy - opening * n[1], dz - opening * n[2]
 
 
+@inlined
+def crush(own, crushed, c, joint, history, opening, sigma, tau, acting):
+    """Opening (m) and elastic shear stress (Pa) that the law sees, once the contacts from c on are back on their cap.
+
+    own  which of them there are    sigma, tau  Pa, elastic stresses    acting  those that acted until now
+    """
+    closing, hardening, taken = take(crushed, (c, 0), tau), take(crushed, (c, 1), tau), take(crushed, (c, 2), tau)
+    squeezed = return_to_cap(joint, history, closing, hardening, opening, sigma, tau, acting)
+    put_where(own, crushed, (c, 0), squeezed.closing)
+    put_where(own, crushed, (c, 1), squeezed.hardening)
+    put_where(own, crushed, (c, 2), taken + squeezed.work)
+    return squeezed.opening, squeezed.tau
+
+
 def _sweep(
     like, parameters, joint, first, last, sides, normal, area, u, force,
     opening_max, intact_n, intact_s, secant, slip, dissipated, dilation, permanent_opening, plastic_slip, crushed,
@@ -57,8 +71,8 @@ def _sweep(
         nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
         a, b = gather(u, sides, (c, 0), like), gather(u, sides, (c, 1), like)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
-        closing, hardening = take(crushed, (c, 0), like), take(crushed, (c, 1), like)
-        opening = closed_by(closing, opening)
+        if crushed is not None:
+            opening = opening + take(crushed, (c, 0), like)
         px = or_zero(take(slip, (c, 0), like), like)
         py = or_zero(take(slip, (c, 1), like), like)
         pz = or_zero(take(slip, (c, 2), like), like)
@@ -70,15 +84,18 @@ def _sweep(
         )  # fmt: skip
         parameters_c, joint_c = local(parameters, c - first, like), local(joint, c - first, like)
         sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
-        unchanged = within_cap(hardening, joint_c, sigma, tau_squared, unchanged)
+        if crushed is not None:
+            inside = is_within(joint_c, take(crushed, (c, 1), like), sigma, tau_squared)
+            unchanged = unchanged & inside
         stays = filled(1.0, opening)
         if any_lane(unless(own, unchanged)):
             total, tau = sqrt(sx * sx + sy * sy + sz * sz), sqrt(tau_squared)
             acts = acted(dilation, c, like, force, (nx, ny, nz), area)
-            bears = bore(closing, c, like, force, (nx, ny, nz), area)
-            squeezed = crush(joint_c, history, closing, hardening, opening, tau, bears)
-            opening = squeezed.opening
-            update = return_mapping(parameters_c, joint_c, history, opening, total, squeezed.tau, acts)
+            left_by_cap = tau
+            if crushed is not None and any_lane(unless(own, inside)):
+                acting = acts_on(c, like, force, (nx, ny, nz), take(area, c, like))
+                opening, left_by_cap = crush(own, crushed, c, joint_c, history, opening, sigma, tau, acting)
+            update = return_mapping(parameters_c, joint_c, history, opening, total, left_by_cap, acts)
             put_where(own, opening_max, c, update.history.opening_max)
             put_where(own, intact_n, c, update.history.intact_n)
             put_where(own, intact_s, c, update.history.intact_s)
@@ -89,10 +106,9 @@ def _sweep(
             put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
             put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
             put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
-            put_where(own, crushed, (c, 0), squeezed.closing)
-            put_where(own, crushed, (c, 1), squeezed.hardening)
-            put_where(own, crushed, (c, 2), grown(take(crushed, (c, 2), like), squeezed.work))
-            sigma, fraction = update.sigma, left_by_cap(squeezed, update.fraction, tau)
+            sigma, fraction = update.sigma, update.fraction
+            if crushed is not None:
+                fraction = where(tau > 0.0, fraction * left_by_cap / tau, fraction)
             stays = filled(fraction, opening)
             left = slip_of(update, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
@@ -148,7 +164,7 @@ def observe(parameters, joint, state, first, last, sides, normal, area, u, force
         nx, ny, nz = normal[c, 0], normal[c, 1], normal[c, 2]
         a, b = gather(u, sides, (c, 0), 0.0), gather(u, sides, (c, 1), 0.0)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
-        closed = closed_by(take(state.crushed, (c, 0), 0.0), opening)
+        closed = opening + or_zero(take(state.crushed, (c, 0), 0.0), 0.0)
         px = or_zero(take(state.slip, (c, 0), 0.0), 0.0)
         py = or_zero(take(state.slip, (c, 1), 0.0), 0.0)
         pz = or_zero(take(state.slip, (c, 2), 0.0), 0.0)

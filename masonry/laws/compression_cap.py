@@ -13,13 +13,11 @@ the cap. That is the corner of both where both act. What the law softens in this
 from math import exp, sqrt
 from typing import Any, NamedTuple
 
-from numba import types
-
 from masonry.jit.extending import overload, register_jitable
 from masonry.laws.cone import strength
 from masonry.laws.snap_back import Refusal
 from masonry.laws.state import JointProperties
-from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, or_zero, take, where
+from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, or_zero, where
 from masonry.simd.arithmetic import Lanes
 
 INITIAL, MIDDLE, RESIDUAL = 1.0 / 3.0, 1.0 / 2.0, 1.0 / 10.0
@@ -28,15 +26,15 @@ SOFTENING = 1.0 - RESIDUAL - (1.0 - MIDDLE) / 3.0 + (MIDDLE - RESIDUAL) ** 2 / (
 """Area of the softening above the residual, over strength and the path from the peak to the middle."""
 TAIL = 2.0 * (1.0 - MIDDLE) / (MIDDLE - RESIDUAL)
 """Rate of the exponential end, which goes on with the slope of the parabola before it."""
-ROUNDS, NEAR, LEAST = 60, 1e-12, 1e-9
-"""Looks for z; how near to the cap, over the strength; the least z."""
+ROUNDS, NEAR, SAME, LEAST = 60, 1e-10, 1e-14, 1e-9
+"""Looks for z; how near to the cap, over the strength; how near two z are the same; the least z."""
 
 
 class Crush(NamedTuple):
     """What crushing makes of a step.
 
     opening, tau        m, Pa: what the law sees, the plastic closing included; elastic shear stress that is left
-    closing, hardening  m, so far; None where crushing is not modelled, and so is the next
+    closing, hardening  m, so far
     work                J/m2 of this step
     """
 
@@ -67,10 +65,10 @@ def share_left(cap_shear_factor, crushing_energy, joint, hardening):
 @register_jitable
 def cap_left(joint, hardening):
     """A quarter of an ellipse up to the peak, a parabola down to the middle, and an exponential end."""
-    rise = minimum(hardening / joint.closing_at_peak, 1.0)
+    rise = minimum(hardening * (1.0 / joint.closing_at_peak), 1.0)
     share = INITIAL + (1.0 - INITIAL) * sqrt(rise * (2.0 - rise))
-    beyond = maximum(hardening - joint.closing_at_peak, 0.0) * (SOFTENING * joint.compressive_strength)
-    beyond = beyond / joint.crushing_energy
+    per_path = SOFTENING * joint.compressive_strength / joint.crushing_energy
+    beyond = maximum(hardening - joint.closing_at_peak, 0.0) * per_path
     if not any_lane(beyond > 0.0):
         return share
     fall = minimum(beyond, 1.0)
@@ -97,125 +95,72 @@ def refuse_crushing(joint: JointProperties) -> Refusal | None:
 
 
 @register_jitable
-def crushed_to(joint, history, hardening, e, tau, z):
-    """What a share z of the elastic normal stress leaves: shear stress (Pa), plastic closing and slip of the cap (m) in
-    this step, the strength left, and by how much (Pa) the point lies outside the cap."""
-    kn, factor = joint.normal_stiffness, or_zero(joint.cap_shear_factor, e)
-    trial = kn * minimum(e, 0.0)
+def crushed_to(joint, history, hardening, e, trial, tau, z):
+    """What a share z of the elastic normal stress `trial` (Pa) leaves: shear stress (Pa), plastic closing and slip of
+    the cap (m) in this step, and by how much (Pa) the point lies outside the cap."""
+    flexibility, factor = 1.0 / joint.normal_stiffness, or_zero(joint.cap_shear_factor, e)
     sigma, rest = z * trial, 1.0 - z
-    left = minimum(tau * z / (z + rest * (factor * joint.shear_stiffness / kn)), strength(joint, history, e, sigma))
-    closed, slid = -rest * trial / kn, rest * factor * left / (z * kn)
+    shear_over_normal = factor * (joint.shear_stiffness * flexibility)
+    left = minimum(tau * z / (z + rest * shear_over_normal), strength(joint, history, e, sigma))
+    closed, slid = -rest * trial * flexibility, rest * left / z * (factor * flexibility)
     bears = strength_left(joint, hardening + sqrt(closed * closed + slid * slid))
-    return left, closed, slid, bears, sqrt(sigma * sigma + factor * left * left) - bears
+    return left, closed, slid, sqrt(sigma * sigma + factor * left * left) - bears
 
 
 @register_jitable
-def return_to_cap(joint, history, closing, hardening, opening, tau, before):
-    """A Crush, of the opening (m) with the closing so far, and the elastic shear stress (Pa).
+def return_to_cap(joint, history, closing, hardening, opening, sigma, tau, before):
+    """A Crush, of the opening (m) with the closing so far, and the elastic normal and shear stress (Pa).
 
     before  (normal, shear) stress (Pa) that acted until now
     """
-    e = opening - or_zero(history.dilation, opening)
-    z = filled(1.0, e)
-    left, closed, slid, bears, outside = crushed_to(joint, history, hardening, e, tau, z)
-    near = NEAR * joint.compressive_strength
+    e, trial = opening - or_zero(history.dilation, opening), minimum(sigma, 0.0)
+    factor, near = or_zero(joint.cap_shear_factor, e), NEAR * filled(joint.compressive_strength, e)
+    left, bears = minimum(tau, strength(joint, history, e, trial)), strength_left(joint, hardening)
+    outside = sqrt(trial * trial + factor * left * left) - bears
     crushes = outside > near
     if not any_lane(crushes):
-        return Crush(opening, tau, closing, hardening, filled(0.0, e))
+        return Crush(opening, tau, closing, hardening, filled(0.0, opening))
+    z = filled(1.0, e)
     last, last_outside, low, high = z, outside, filled(LEAST, e), z
+    closed = slid = filled(0.0, e)
     z = where(crushes, maximum(bears / (bears + outside), LEAST), z)
     for _ in range(ROUNDS):
-        left, closed, slid, bears, outside = crushed_to(joint, history, hardening, e, tau, z)
-        open_still = crushes & (abs(outside) > near) & (high - low > NEAR)
-        if not any_lane(open_still):
+        left, closed, slid, outside = crushed_to(joint, history, hardening, e, trial, tau, z)
+        searched = crushes & (abs(outside) > near) & (high - low > SAME)
+        if not any_lane(searched):
             break
         high, low = where(outside > 0.0, z, high), where(outside > 0.0, low, z)
         rise = outside - last_outside
         further = z - outside * (z - last) / where(rise == 0.0, 1.0, rise)
         last, last_outside = z, outside
         further = where((further > low) & (further < high), further, 0.5 * (low + high))
-        z = where(open_still, further, z)
+        z = where(searched, further, z)
     closed, slid = where(crushes, closed, 0.0), where(crushes, slid, 0.0)
-    sigma = z * joint.normal_stiffness * minimum(e, 0.0)
     was, sheared = before
-    work = 0.5 * (closed * (maximum(-was, 0.0) - sigma) + slid * (sheared + left))
+    work = 0.5 * (closed * (maximum(-was, 0.0) - z * trial) + slid * (sheared + left))
     path = sqrt(closed * closed + slid * slid)
     return Crush(opening + closed, tau - joint.shear_stiffness * slid, closing + closed, hardening + path, work)
 
 
-def closed_by(closing, opening):
-    """The opening (m) that the law sees: with the plastic closing, where there is any."""
-    return opening if closing is None else opening + closing
-
-
-@overload(closed_by)
-def _closed_by(closing, opening):
-    if isinstance(closing, types.NoneType):
-        return lambda closing, opening: opening
-    return lambda closing, opening: opening + closing
-
-
-def within_cap(hardening, joint, sigma, tau_squared, unchanged):
-    """`unchanged`, where a normal stress (Pa) and a shear stress^2 (Pa2) lie within the cap besides."""
-    return unchanged if hardening is None else unchanged & _is_within(joint, hardening, sigma, tau_squared)
-
-
-@overload(within_cap)
-def _within_cap(hardening, joint, sigma, tau_squared, unchanged):
-    if isinstance(hardening, types.NoneType):
-        return lambda hardening, joint, sigma, tau_squared, unchanged: unchanged
-    return lambda hardening, joint, sigma, tau_squared, unchanged: (
-        unchanged & _is_within(joint, hardening, sigma, tau_squared)
-    )
-
-
 @register_jitable
-def _is_within(joint, hardening, sigma, tau_squared):
+def is_within(joint, hardening, sigma, tau_squared):
+    """Whether a normal stress (Pa) and a shear stress^2 (Pa2) lie within the cap."""
     bears, pressed = strength_left(joint, hardening), minimum(sigma, 0.0)
     return pressed * pressed + or_zero(joint.cap_shear_factor, sigma) * tau_squared <= bears * bears
 
 
-def crush(joint, history, closing, hardening, opening, tau, before):
-    """`return_to_cap` where crushing is modelled; else the step as it is."""
-    if closing is None:
-        return Crush(opening, tau, None, None, None)
-    return return_to_cap(joint, history, closing, hardening, opening, tau, before)
-
-
-@overload(crush)
-def _crush(joint, history, closing, hardening, opening, tau, before):
-    if isinstance(closing, types.NoneType):
-        return lambda joint, history, closing, hardening, opening, tau, before: Crush(opening, tau, None, None, None)
-    return return_to_cap
-
-
-def left_by_cap(squeezed, fraction, tau):
-    """The fraction of the whole elastic shear stress tau (Pa), of that of what the cap leaves."""
-    return fraction if squeezed.work is None else where(tau > 0.0, fraction * squeezed.tau / tau, fraction)
-
-
-@overload(left_by_cap)
-def _left_by_cap(squeezed, fraction, tau):
-    if isinstance(squeezed.types[4], types.NoneType):
-        return lambda squeezed, fraction, tau: fraction
-    return lambda squeezed, fraction, tau: where(tau > 0.0, fraction * squeezed.tau / tau, fraction)
-
-
-def bore(closing, c, like, force, n, area):
-    """(normal, shear) stress (Pa) by the forces (C, 3) that act, at c and the contacts after it; None where nothing
-    crushes."""
+def acts_on(c, like, force, n, area):
+    """(normal, shear) stress (Pa) on planes of normal n, by the forces (C, 3) that act at c and those after it."""
     raise NotImplementedError("only compiled code asks")
 
 
-@overload(bore)
-def _bore(closing, c, like, force, n, area):
-    if isinstance(closing, types.NoneType):
-        return lambda closing, c, like, force, n, area: None
+@overload(acts_on)
+def _acts_on(c, like, force, n, area):
     rows = eight_rows if isinstance(like, Lanes) else register_jitable(lambda c: c)
 
-    def stresses(closing, c, like, force, n, area):
-        here, size = rows(c), take(area, c, like)
-        x, y, z = force[here, 0] / size, force[here, 1] / size, force[here, 2] / size
+    def stresses(c, like, force, n, area):
+        here = rows(c)
+        x, y, z = force[here, 0] / area, force[here, 1] / area, force[here, 2] / area
         sigma = x * n[0] + y * n[1] + z * n[2]
         return sigma, sqrt(maximum(x * x + y * y + z * z - sigma * sigma, 0.0))
 
