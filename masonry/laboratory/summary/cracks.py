@@ -87,11 +87,11 @@ def most_in_a_unit(assembly: Assembly, outcome: Outcome) -> float:
 def over_strength(assembly: Assembly, pressed: np.ndarray) -> float | None:
     """The largest compression of a contact over its strength, of groups whose crushing is not modelled; None where
     these have no strength in compression."""
-    model, contact = assembly.model, assembly.scene.contact
+    model, contacts = assembly.model, [assembly.scene.contact_of(name) for name in assembly.model.group_names]
     shares = [
         float(pressed[model.group == g].max(initial=0.0)) / strength
-        for g, name in enumerate(model.group_names)
-        if (strength := contact[name].compressive_strength) and contact[name].crushing is None
+        for g, contact in enumerate(contacts)
+        if (strength := contact.compressive_strength) and contact.crushing is None
     ]
     return max(shares, default=None)
 
