@@ -9,8 +9,8 @@ from masonry.model.loads import Conditions, PointForce
 
 def matters(point: PointForce, layout: Layout, conditions: Conditions) -> bool:
     """Whether the moment of a force changes: where its line stays in space, and else if its block can turn."""
-    held = conditions.prescribed["rigid"][layout.local[point.block]]
-    return not held.all() if point.fixed else not held[3:].all()
+    prescribed = conditions.prescribed["rigid"][layout.local[point.block]]
+    return not prescribed.all() if point.fixed else not prescribed[3:].all()
 
 
 def point_loads_of(layout: Layout, conditions: Conditions) -> tuple[PointLoads | None, np.ndarray]:
