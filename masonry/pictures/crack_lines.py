@@ -9,6 +9,7 @@ from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.pictures.camera import Camera
 from masonry.pictures.hidden_surfaces import unit_edges
 from masonry.results.deformation import Deformation
+from masonry.results.dry_joints import crushed
 from masonry.rows.history import Frame
 
 EDGE_ON = 0.5
@@ -49,6 +50,7 @@ class CrackLines:
     tension_led   (n,) damage by tension at least as large as by shear
     opening       (n,) m, area-weighted mean of how far the two faces moved apart or along each other
     dry           (n,) moved for good without damage: see dry_joints.py; false until that is looked at
+    crushed       (n,) closed for good, most of the row; the opening is then that closing
     """
 
     start: np.ndarray
@@ -58,6 +60,7 @@ class CrackLines:
     tension_led: np.ndarray
     opening: np.ndarray
     dry: np.ndarray
+    crushed: np.ndarray
 
     def select(self, mask: np.ndarray) -> "CrackLines":
         return CrackLines(**{entry.name: getattr(self, entry.name)[mask] for entry in fields(self)})
@@ -97,14 +100,18 @@ def crack_lines(joints: Joints, frame: Frame, camera: Camera) -> CrackLines:
     begin, finish = low.copy(), high.copy()
     begin[1:][same], finish[:-1][same] = between[same], between[same]
     centre = np.stack([mean(joints.point[seen, axis]) for axis in range(3)], axis=1)
+    crushing = mean(crushed(frame)[seen].astype(float)) > 0.5
+    parted = mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen]))
+    closing = mean(np.zeros(len(seen)) if frame.crushing is None else frame.crushing[seen])
     return CrackLines(
         start=centre + (begin - middle)[:, None] * along,
         end=centre + (finish - middle)[:, None] * along,
         contact=seen[fresh],
         damage=mean(frame.damage[seen]),
         tension_led=mean(frame.damage_tension[seen]) >= mean(frame.damage_shear[seen]),
-        opening=mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen])),
+        opening=np.where(crushing, closing, parted),
         dry=np.zeros(int(fresh.sum()), dtype=bool),
+        crushed=crushing,
     )
 
 

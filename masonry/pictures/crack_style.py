@@ -18,6 +18,8 @@ KINDS = {"shear": ("Blues", "mostly shear"), "tension": ("Reds", "mostly tension
 """What a crack may be led by: its colours, and how that is said."""
 DRY = "#3a7d34"
 """The colour of joints without strength that slid or opened."""
+CRUSHED = "#6a3d9a"
+"""The colour of joints that crushed: they closed for good."""
 LEAST_OPENING = 1e-12
 """Openings (m) up to this one, far less than an atom, are but rounding."""
 THIN, THICK = 0.9, 4.6
@@ -48,7 +50,7 @@ def draw_cracks(
     field = Deformation(BlockCorners(result.specimen.blocks), frame)
     pieces = camera.project(lines.displaced(result.joints, field, times))
     order = np.argsort(lines.damage, kind="stable")
-    colours = crack_colours(lines.damage, lines.tension_led, lines.dry)
+    colours = crack_colours(lines)
     axes.add_collection(
         LineCollection(
             list(pieces[order]),
@@ -60,12 +62,15 @@ def draw_cracks(
     )
 
 
-def crack_colours(damage: np.ndarray, tension_led: np.ndarray, dry: np.ndarray) -> np.ndarray:
-    """(n, 4) colours of cracks by their damage (n,) and by what leads (n,); one for what moved without damage (n,)."""
+def crack_colours(cracks: Any) -> np.ndarray:
+    """(n, 4) colours of cracks by their damage and by what leads; one for what moved without damage, one for what
+    crushed."""
     from matplotlib.colors import to_rgba
 
-    damaged = np.where(tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
-    return np.where(dry[:, None], to_rgba(DRY), damaged)
+    damage = cracks.damage
+    damaged = np.where(cracks.tension_led[:, None], crack_map("Reds")(damage), crack_map("Blues")(damage))
+    moved = np.where(cracks.dry[:, None], to_rgba(DRY), damaged)
+    return np.where(cracks.crushed[:, None], to_rgba(CRUSHED), moved)
 
 
 def crack_map(name: str) -> Any:
@@ -77,12 +82,15 @@ def crack_map(name: str) -> Any:
 
 
 def kinds_of(cracks: Sequence[Any]) -> list[str]:
-    """Which of KINDS there are among the cracks of some frames, and "dry" where joints moved without damage."""
+    """Which of KINDS there are among the cracks of some frames, "dry" where joints moved without damage, and "crushed"
+    where some crushed."""
     if not cracks:
         return []
-    led, dry = (np.concatenate([getattr(lines, name) for lines in cracks]) for name in ("tension_led", "dry"))
-    there = {"shear": (~led & ~dry).any(), "tension": (led & ~dry).any(), "dry": dry.any()}
-    return [kind for kind, is_there in there.items() if is_there]
+    names = ("tension_led", "dry", "crushed")
+    led, dry, crushed = (np.concatenate([getattr(lines, name) for lines in cracks]) for name in names)
+    cracked = ~dry & ~crushed
+    there = {"shear": ~led & cracked, "tension": led & cracked, "dry": dry & ~crushed, "crushed": crushed}
+    return [kind for kind, which in there.items() if which.any()]
 
 
 def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
@@ -105,9 +113,12 @@ def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
     ]
     if "dry" in kinds:
         keys.append(Line2D([], [], color=DRY, linewidth=3.0, label="moved without damage"))
+    if "crushed" in kinds:
+        keys.append(Line2D([], [], color=CRUSHED, linewidth=3.0, label="crushed"))
     if scale > 0.0:
         shown = np.array([0.0, 0.5 * scale, scale])
         for opening, width in zip(shown, widths(shown, scale), strict=True):
-            word = f"opened or slid {opening * MILLI:.3g} mm" if opening else "not opened"
+            moved = "opened, slid or crushed" if "crushed" in kinds else "opened or slid"
+            word = f"{moved} {opening * MILLI:.3g} mm" if opening else "not opened"
             keys.append(Line2D([], [], color="0.35", linewidth=width, label=word))
     return keys

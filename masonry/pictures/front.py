@@ -36,7 +36,7 @@ class FlatDrawing(Drawing):
         frame = as_it_stands(self.result, frame)
         lines = crack_lines(self.result.joints, frame, self.camera)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
-        return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry)
+        return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry | lines.crushed)
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
         blocks = self.result.specimen.blocks

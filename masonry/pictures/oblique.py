@@ -19,7 +19,7 @@ from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.results.deformation import BlockCorners, Deformation
-from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
+from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, crushed, moved_undamaged
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -33,14 +33,15 @@ AT_ONCE = 500_000
 
 @dataclass(frozen=True)
 class JointCracks:
-    """The contacts to draw (n,): numbers, damage, how far the faces moved apart or along each other (m), and whether
-    they did so for good without damage."""
+    """The contacts to draw (n,): numbers, damage, how far the faces moved apart or along each other, or towards each
+    other where they crushed (m), whether they moved for good without damage, and whether they crushed."""
 
     contact: np.ndarray
     damage: np.ndarray
     tension_led: np.ndarray
     opening: np.ndarray
     dry: np.ndarray
+    crushed: np.ndarray
 
 
 class FacesDrawing(Drawing):
@@ -116,7 +117,7 @@ class SolidDrawing(FacesDrawing):
         return self.after
 
     def draw_joints(self, faces: FaceDrawing, cracks: JointCracks, tiles: list[np.ndarray]) -> None:
-        colours = crack_colours(cracks.damage, cracks.tension_led, cracks.dry)
+        colours = crack_colours(cracks)
         for k in np.argsort(cracks.damage, kind="stable").tolist():
             faces.add_polygon(tiles[k], colours[k])
 
@@ -125,9 +126,12 @@ def joint_cracks(result: "ResultData", frame: Frame) -> JointCracks:
     """The contacts of a frame that are damaged, or have moved for good without damage."""
     frame = as_it_stands(result, frame)
     dry = moved_undamaged(result, frame)
-    c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry)
-    parted = np.hypot(np.maximum(frame.opening[c], 0.0), frame.slip[c])
-    return JointCracks(c, frame.damage[c], frame.damage_tension[c] >= frame.damage_shear[c], parted, dry[c])
+    crushing = crushed(frame)
+    c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry | crushing)
+    moved = np.hypot(np.maximum(frame.opening, 0.0), frame.slip)
+    moved = moved if frame.crushing is None else np.where(crushing, frame.crushing, moved)
+    led = frame.damage_tension[c] >= frame.damage_shear[c]
+    return JointCracks(c, frame.damage[c], led, moved[c], dry[c], crushing[c])
 
 
 def crack_edges(
@@ -138,7 +142,7 @@ def crack_edges(
     moved   (n, 3) m, the displaced corners of the tiles of all cracks; starts  where those of each crack begin
     after   (n,) the piece that the edge from each corner is drawn after, -1 for none
     """
-    colours, wide = crack_colours(cracks.damage, cracks.tension_led, cracks.dry), widths(cracks.opening, scale)
+    colours, wide = crack_colours(cracks), widths(cracks.opening, scale)
     lines: dict[int, list[tuple[np.ndarray, Any, float]]] = {}
     for k in np.argsort(cracks.damage, kind="stable").tolist():
         part, piece = moved[starts[k] : starts[k + 1]], after[starts[k] : starts[k + 1]].tolist()

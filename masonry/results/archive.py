@@ -14,7 +14,7 @@ import numpy as np
 from geometry.blocks import Blocks, Joints, Specimen, TetMesh
 from geometry.files.hdf5 import new_file, require_plain
 from masonry.results.validate import require_whole_result
-from masonry.rows.columns import unit_of
+from masonry.rows.columns import CRUSHING, unit_of
 from masonry.rows.history import Frame, History
 
 if TYPE_CHECKING:
@@ -143,6 +143,8 @@ def _read_arrays(group: Any, kind: type) -> Any:
 def _write_frames(group: Any, frames: list[Frame]) -> None:
     group.attrs["count"] = len(frames)
     for entry in fields(Frame) if frames else ():
+        if getattr(frames[0], entry.name) is None:
+            continue
         first = np.asarray(getattr(frames[0], entry.name))
         packing = _packing(first.size)
         shape = (len(frames), *first.shape)
@@ -160,7 +162,8 @@ def _read_frames(group: Any) -> list[Frame]:
     count = int(group.attrs["count"])
     if not count:
         return []
-    whole = {entry.name: group[entry.name][()] for entry in fields(Frame)}
+    names = [entry.name for entry in fields(Frame) if entry.name in group or entry.name != CRUSHING]
+    whole = {name: group[name][()] for name in names}
     kinds = {"step": int, "time": float, "displacement": float}
     return [
         Frame(**{name: kinds[name](data[number]) if name in kinds else data[number] for name, data in whole.items()})

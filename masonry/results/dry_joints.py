@@ -1,4 +1,5 @@
-"""Contacts that slid or opened for good without damage: joints that never had a strength, so that none was lost."""
+"""Contacts that slid, opened or closed for good without damage: joints that never had a strength, so that none was
+lost, and joints that crushed."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -25,6 +26,16 @@ def moved_undamaged(result: "ResultData", frame: Frame) -> np.ndarray:
     """(C,) which contacts have no damage, and yet slid or opened by more than their stress over their stiffness."""
     opened, slid = _moved(result, frame)
     return (frame.damage == 0.0) & (opened | slid)
+
+
+def crushed(frame: Frame) -> np.ndarray:
+    """(C,) which contacts closed for good, by more than they opened or slid unless they have no damage."""
+    if frame.crushing is None:
+        return np.zeros(len(frame.opening), dtype=bool)
+    moved = np.hypot(np.maximum(frame.opening, 0.0), frame.slip)
+    largest = max(float(moved.max(initial=0.0)), float(frame.crushing.max(initial=0.0)))
+    sound = frame.damage <= LEAST_DAMAGE
+    return np.asarray((frame.crushing > max(FRACTION * largest, LEAST)) & (sound | (frame.crushing > moved)))
 
 
 def as_it_stands(result: "ResultData", frame: Frame) -> Frame:

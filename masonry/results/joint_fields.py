@@ -62,6 +62,8 @@ class JointGrid:
         first, second = self._field(frame).sides(joints, every, joints.point)
         along = np.einsum("ni,ni->n", second - first, joints.normal)
         data: Data = {name: getattr(frame, name) for name in NUMBERS}
+        if frame.crushing is not None:
+            data["crushing"] = frame.crushing
         return data | {
             "mode": mode_of(frame),
             "opening_vector": frame.opening[:, None] * joints.normal,

@@ -13,7 +13,7 @@ MOST = 1e100
 """The largest number in rows and frames: beyond, pictures overflow."""
 NEEDED = ("step", "time", "displacement", "stress", "support_stress")
 """Rows that pictures are drawn from."""
-PER_CONTACT = ("opening", "slip", "normal_stress", "shear_stress", "damage_tension", "damage_shear")
+PER_CONTACT = ("opening", "slip", "normal_stress", "shear_stress", "damage_tension", "damage_shear", "crushing")
 
 
 def require_whole_result(
@@ -82,6 +82,8 @@ def _require_joints(blocks: Blocks, joints: Joints, nodes: int) -> None:
 def _require_frame(frame: Frame, shapes: dict[str, tuple[int, ...]]) -> None:
     for entry in fields(Frame):
         value = getattr(frame, entry.name)
+        if value is None:  # crushing that is not modelled
+            continue
         _require(f"frames/{entry.name}", np.asarray(value), shapes.get(entry.name, ()), "fi")
 
 

@@ -19,6 +19,7 @@ class Frame:
     normal_stress, shear_stress  (C,) Pa, tension positive
     damage_tension, damage_shear (C,) 0 intact .. 1 broken;  damage = 1 - (1 - damage_tension)(1 - damage_shear)
     stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); of rigid ones from their contacts
+    crushing      (C,) m, plastic closing; None where crushing is not modelled
     """
 
     step: int
@@ -33,6 +34,7 @@ class Frame:
     damage_tension: np.ndarray
     damage_shear: np.ndarray
     stress: np.ndarray
+    crushing: np.ndarray | None = None
 
     @property
     def damage(self) -> np.ndarray:

@@ -26,7 +26,8 @@ def finite_rows(rows: dict[str, np.ndarray], log: list[str]) -> tuple[dict[str, 
 
 def is_finite(frame: Frame) -> bool:
     """Whether all numbers of a frame are."""
-    return all(np.isfinite(getattr(frame, entry.name)).all() for entry in fields(frame))
+    numbers = (getattr(frame, entry.name) for entry in fields(frame))
+    return all(np.isfinite(array).all() for array in numbers if array is not None)
 
 
 def without_nan(value: Any, key: str, log: list[str]) -> Any:

@@ -185,9 +185,10 @@ def test_where_nothing_opened_no_width_stands_for_an_opening():
 
 def test_the_key_lists_the_kinds_of_cracks_that_occur_and_no_others():
     led, none = np.array([True, True]), np.array([False, False])
-    cracks = [SimpleNamespace(tension_led=words, dry=none) for words in (led, ~led)]
+    cracks = [SimpleNamespace(tension_led=words, dry=none, crushed=none) for words in (led, ~led)]
     assert kinds_of(cracks) == ["shear", "tension"] and kinds_of(cracks[:1]) == ["tension"]
-    assert kinds_of([SimpleNamespace(tension_led=led, dry=led)]) == ["dry"]
+    assert kinds_of([SimpleNamespace(tension_led=led, dry=led, crushed=none)]) == ["dry"]
+    assert kinds_of([SimpleNamespace(tension_led=led, dry=led, crushed=led)]) == ["crushed"]
     assert kinds_of([]) == [] and crack_keys(0.0, []) == []
     assert [key.get_label() for key in crack_keys(0.0, ["shear"])] == ["crack, mostly shear"]
     sound, cracked = cracks_figure(sample(damaged=False)), cracks_figure(sample())

@@ -15,6 +15,7 @@ from verification.paper.experiments import scatter
 LINES = CrackLines(
     *(np.zeros((2, 3)), np.ones((2, 3)), np.arange(2), np.zeros(2), np.ones(2, dtype=bool), np.zeros(2)),
     dry=np.zeros(2, dtype=bool),
+    crushed=np.zeros(2, dtype=bool),
 )
 WALL = Wall(0.1e6, np.linspace(0.0, 0.1e6, POINTS), np.array([True, False]), frozenset({(0, 1)}), "stepped", 0.4)
 
