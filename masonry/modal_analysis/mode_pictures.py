@@ -17,6 +17,8 @@ SHOWN = 6
 """Modes in the picture, at most."""
 SWING = 0.08
 """Displacement of the farthest corner in the picture, over the size of the specimen."""
+MANY = 300
+"""Blocks beside which the gaps between them are too thin to look into: faces in joints are then left out."""
 WIDTH = 4.2
 """Of one mode, inches."""
 
@@ -54,23 +56,24 @@ def _draw(result: ModesData, mode: int, camera: Camera, edges: Any, axes: Any) -
     times = SWING * camera.size
     moved = replace(result.blocks, points=result.blocks.points + times * result.corners[mode])
     faces = FaceDrawing(moved, camera, lamp_of(camera))
-    owner, floor = moved.face_block(), _is_floor(result)
-    for piece in seen_pieces(moved, camera, edges):
-        if not floor[owner[piece.face]]:
-            faces.add_piece(piece)
+    for piece in seen_pieces(moved, camera, edges, _hidden(result)):
+        faces.add_piece(piece)
     faces.draw(axes)
-    share = result.share[mode]
-    axis = int(np.argmax(share))
+    axis = int(np.argmax(share := result.share[mode]))
+    percent = f"{100.0 * share[axis]:.1f} %"
+    along = "no mass along any axis" if percent == "0.0 %" else f"{percent} of the mass along {'xyz'[axis]}"
     axes.set_title(
-        f"{mode + 1}: {result.frequencies[mode]:.5g} Hz, {100.0 * share[axis]:.1f} % of the mass along {'xyz'[axis]}\n"
-        f"farthest corner drawn {times:.3g} m away",
+        f"{mode + 1}: {result.frequencies[mode]:.5g} Hz, {along}\nfarthest corner drawn {times:.3g} m away",
         fontsize=9,
     )
 
 
-def _is_floor(result: ModesData) -> np.ndarray:
-    """(B,) blocks that are left out of a picture, since they would fill it."""
-    return np.array([result.scene.is_floor(name) for name in result.blocks.groups])[result.blocks.group]
+def _hidden(result: ModesData) -> np.ndarray:
+    """(F,) faces that are left out of a picture: those of a floor, which would fill it, and those in joints of many
+    blocks."""
+    blocks = result.blocks
+    floor = np.array([result.scene.is_floor(name) for name in blocks.groups])[blocks.group][blocks.face_block()]
+    return np.asarray(floor | (result.covered & (blocks.count > MANY)))
 
 
 def _fit(figure: Any, panels: np.ndarray, rows: int, across: int, camera: Camera) -> None:

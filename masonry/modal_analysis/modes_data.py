@@ -25,6 +25,7 @@ class ModesData:
     blocks          the blocks, each with points of its own
     loose           how many motions nothing resists; loose_blocks: which blocks take part in one
     closed          (C,) contacts that were taken as closed; of the joints as the scene has them
+    covered         (F,) faces of `blocks` that lie in joints as a whole
     ratio, between  damping ratio, and the two modes (1, 2, ...) at which Rayleigh damping has it
     assumed         what the joints are taken as, in words
     """
@@ -40,6 +41,7 @@ class ModesData:
     blocks: Blocks
     corners: np.ndarray
     closed: np.ndarray
+    covered: np.ndarray
     ratio: float
     between: tuple[int, int]
     dofs: int

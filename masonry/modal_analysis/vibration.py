@@ -6,6 +6,7 @@ from time import perf_counter
 import numpy as np
 
 from geometry.blocks import Blocks
+from geometry.joints.covered import covered_fractions
 from masonry.errors import SceneError
 from masonry.modal_analysis.eigen import Modes, slowest
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
@@ -16,6 +17,8 @@ from masonry.scene import Scene
 
 MOST = 200
 """Modes that may be asked for."""
+COVERED = 1.0 - 1e-6
+"""Share of a face in joints from which on it is not seen."""
 MOVES = 1e-6
 """Share of the fastest corner of a loose motion at which a block takes part in it."""
 CLOSED = "all joints closed and elastic, at the undeformed shape, without the stiffness that weight adds or takes"
@@ -74,6 +77,7 @@ def analyse(scene: Scene, wishes: ModesSettings = ModesSettings()) -> ModesResul
         blocks=blocks,
         corners=np.array(corners).reshape(count, len(blocks.points), 3),
         closed=closed,
+        covered=covered_fractions(oscillator.specimen.blocks, oscillator.joints) > COVERED,
         ratio=wishes.ratio,
         between=wishes.between or (1, min(3, max(count, 1))),
         dofs=int(oscillator.free.sum()),

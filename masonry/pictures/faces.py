@@ -40,10 +40,14 @@ class FaceDrawing:
             across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
             light = 0.78 + 0.22 * float(across @ self.lamp / np.linalg.norm(across))
         fill = (*np.clip(self._colours[self._group[piece.face]] * light, 0, 1), 1.0)
-        self._add(np.vstack([flat, flat[:1]]), fill, fill, 0.4)
+        outline, (cell, unit), (thin, thick) = np.vstack([flat, flat[:1]]), self._edges, (0.6, 1.3)
+        if piece.unit_edge.all():
+            self._add(outline, fill, unit, thick)
+            return
+        self._add(outline, fill, fill, 0.4)
         after = np.roll(flat, -1, axis=0)
         inner, outer = piece.block_edge & ~piece.unit_edge, piece.unit_edge
-        for edges, colour, wide in zip((inner, outer), self._edges, (0.6, 1.3), strict=True):
+        for edges, colour, wide in ((inner, cell, thin), (outer, unit, thick)):
             for k in np.flatnonzero(edges):
                 self._add(np.array([flat[k], after[k]]), CLEAR, colour, wide)
 
@@ -75,5 +79,6 @@ class FaceDrawing:
                 edgecolors=self._lines,
                 linewidths=self._widths,
                 capstyle="round",
+                joinstyle="round",
             )
         )

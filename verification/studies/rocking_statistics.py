@@ -2,7 +2,9 @@
 
 A history that comes near to falling is chaotic: another restitution in its fourth digit gives another one. So counts
 and distributions are compared, over motions that are made by seed, and the restitution is the one that a run of each
-block measures, which is let go and rocks freely.
+block measures, which is let go and rocks freely. It is worth 1 %, so the median is held against those of integrations
+with 1 % less and more besides. Of 0.4 x 1.2 m at 0.5 g, seed 2 leans by 0.469 alpha with the restitution that was
+measured, by 0.032 with 1 % more or less, and by 0.032 again where the same integration is less exact by 100 times.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,6 +29,8 @@ BEGIN, UNTIL = 0.2, 13.0
 """s: after what time the ground moves, while the block sits down on its springs; until when it is looked at."""
 COUNTS, MEDIAN, DISTANCE = 2, 0.10, 0.15
 """What may differ: blocks that fall, of 40; the median peak, as a share; the distributions (Kolmogorov, Smirnov)."""
+WORTH = 0.01
+"""Of the restitution: what a measured one is worth."""
 
 
 class Block(NamedTuple):
@@ -51,10 +55,13 @@ class Trial(NamedTuple):
 
 
 class Peaks(NamedTuple):
-    """The largest angles of a trial, in alpha, inf where the block fell: of the run and of the integration."""
+    """The largest angles of a trial, in alpha, inf where the block fell: of the run, of the integration, and of those
+    with a little less and more restitution."""
 
     run: float
     integrated: float
+    with_less: float
+    with_more: float
 
 
 def settings_of(block: Block) -> dict[str, Any]:
@@ -98,8 +105,11 @@ def compare(trial: Trial) -> Peaks:
     result = result_of(SCENE, settings_of(block) | {"ground": ground, "solver.duration": f"{BEGIN + UNTIL} s"})
     run = _angle(form, float(np.abs(result.history.rows["sway"]).max()))
     record = MadeGround.model_validate(made).record()
-    motion = rock(form, record.time, record.acceleration, UNTIL)
-    return Peaks(_in_alpha(run, form), _in_alpha(motion.peak, form))
+    integrated = [
+        rock(alone(block, share * trial.restitution), record.time, record.acceleration, UNTIL).peak
+        for share in (1.0, 1.0 - WORTH, 1.0 + WORTH)
+    ]
+    return Peaks(*(_in_alpha(angle, form) for angle in (run, *integrated)))
 
 
 def _angle(form: RockingBlock, sway: float) -> float:
@@ -115,17 +125,19 @@ def _in_alpha(angle: float, form: RockingBlock) -> float:
 
 
 class Statistics(NamedTuple):
-    """How many fell, of the runs and of the integrations; the medians (alpha); the distance of the distributions."""
+    """How many fell, of the runs and of the integrations; the medians (alpha) in the order of `Peaks`; the distance of
+    the distributions of runs and integrations."""
 
     fell: tuple[int, int]
-    medians: tuple[float, float]
+    medians: tuple[float, ...]
     distance: float
 
     @property
     def median_off(self) -> float:
-        """Of the runs, as a share; 0 where both have fallen."""
-        run, integrated = self.medians
-        return 0.0 if run == integrated else abs(run / integrated - 1.0)
+        """Of the runs, as a share, beyond those of all integrations; 0 where it lies between them."""
+        run, *integrated = self.medians
+        least, most = min(integrated), max(integrated)
+        return 0.0 if least <= run <= most else abs(run / min(max(run, least), most) - 1.0)
 
     def holds(self, trials: int) -> bool:
         """Whether they are alike within what was stated for MOTIONS trials; of fewer the median says little."""
@@ -137,10 +149,10 @@ def statistics_of(peaks: Sequence[Peaks]) -> Statistics:
     """Of the trials of one block and one size of motion."""
     both = np.maximum(np.array(peaks), LEAST_ANGLE).T
     at = np.unique(both)
-    shares = [np.searchsorted(np.sort(one), at, side="right") / len(one) for one in both]
-    fell = tuple(int(np.isinf(one).sum()) for one in both)
+    shares = [np.searchsorted(np.sort(one), at, side="right") / len(one) for one in both[:2]]
+    fell = tuple(int(np.isinf(one).sum()) for one in both[:2])
     medians = tuple(float(np.quantile(one, 0.5, method="lower")) for one in both)
-    return Statistics((fell[0], fell[1]), (medians[0], medians[1]), float(np.abs(shares[0] - shares[1]).max()))
+    return Statistics((fell[0], fell[1]), medians, float(np.abs(shares[0] - shares[1]).max()))
 
 
 def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
@@ -166,7 +178,15 @@ def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
     return made
 
 
-HEADER = ["block", "peak", "restitution measured", "fell: run, integrated", "median in alpha", "distance", ""]
+HEADER = [
+    "block",
+    "peak",
+    "restitution measured",
+    "fell: run, integrated",
+    "median in alpha (restitution within 1 %)",
+    "distance",
+    "",
+]
 
 
 def _row(block: Block, peak: float, restitution: float, statistics: Statistics, motions: int, holds: bool) -> list[Any]:
@@ -175,7 +195,8 @@ def _row(block: Block, peak: float, restitution: float, statistics: Statistics, 
         f"{peak} g",
         f"{restitution:.4f}",
         f"{statistics.fell[0]}, {statistics.fell[1]} of {motions}",
-        f"{statistics.medians[0]:.3f}, {statistics.medians[1]:.3f}",
+        f"{statistics.medians[0]:.3f}, {statistics.medians[1]:.3f} ({min(statistics.medians[1:]):.3f} to "
+        f"{max(statistics.medians[1:]):.3f})",
         f"{statistics.distance:.3f}",
         page.judged("agrees" if holds else "differs", "ok" if holds else "bad"),
     ]
