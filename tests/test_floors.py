@@ -52,6 +52,7 @@ FLOORS = (
         "masonry.drawings",
         "masonry.limit_analysis",
         "masonry.modal_analysis",
+        "masonry.laboratory.summary.measurements",
         "masonry.laboratory.summary",
         "masonry.laboratory.remarks",
         "masonry.laboratory",

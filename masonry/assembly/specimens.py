@@ -114,7 +114,7 @@ def _built(spec: Any) -> Specimen:
     }
     wall |= {"divisions": _filling(spec), "bond": spec.bond, "unit_width": spec.unit_width}
     if spec.kind == "wallette":
-        return wallette(**wall, plates=spec.plates, base=spec.base, beam=spec.beam)
+        return wallette(**wall, plates=spec.plates, base=spec.base, beam=spec.beam, shoes=spec.shoes)
     rollers = ("support_distance", "load_distance", "roller_width", "bottom_plate")
     return bending(**wall, **{key: getattr(spec, key) for key in rollers})
 

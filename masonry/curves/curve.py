@@ -7,6 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
+from masonry.curves.measured import draw_measured
 from masonry.curves.time_curve import is_over_time, time_figure
 from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.pictures.style import heading, tidy
@@ -68,6 +69,7 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
     peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
     stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
+    draw_measured(axes, result, drawn)
     axes.plot(displacement, support, "--", color="#e07b00", linewidth=1.0, label="at the support")
     if not rows["displacement"].any():
         return

@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.curves.curve_axes import curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
+from masonry.curves.measured import draw_measured
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.rows.columns import FACTOR
 from masonry.rows.cycles import bounds
@@ -62,6 +63,7 @@ def hysteresis_figure(result: "ResultData") -> Any:
     drawn = loops_of(result)
     for axes in (loops, ledger, bars):
         tidy(axes)
+    draw_measured(loops, result, curve_axes(result))
     _draw_loops(loops, drawn)
     path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
     draw_ledger(ledger, drawn.rows, path)

@@ -145,7 +145,7 @@ def read_record(path: Path) -> RecordFile:
         raise SceneError(_why_no_numbers(name, lines))
     width = lines[first].count(",") + 1
     above = [line.strip().lstrip("#%").strip() for line in lines[:first] if line.strip()]
-    header = above[-1] if above and above[-1].count(",") + 1 == width else None
+    header = _names_and_units([line for line in above[-2:] if line.count(",") + 1 == width])
     if header is None and above and not lines[first - 1].lstrip().startswith(("#", "%")):
         raise SceneError(
             f"{name}: the line above the numbers names {above[-1].count(',') + 1} columns, the numbers have {width}"
@@ -157,6 +157,16 @@ def read_record(path: Path) -> RecordFile:
     if len(values) < FEWEST:
         raise SceneError(f"{name} has {len(values)} samples; a record has {FEWEST} or more")
     return RecordFile(name, tuple(columns), values, first + 1)
+
+
+def _names_and_units(above: list[str]) -> str | None:
+    """The line of names above the numbers; where units in brackets have a line of their own below it, both as one."""
+    if not above or len(above) == 1:
+        return above[0] if above else None
+    names, units = (line.split(",") for line in above)
+    if all(not unit.strip() or re.fullmatch(r"\s*[(\[].*[)\]]\s*", unit) for unit in units):
+        return ",".join(f"{one.strip()} {unit.strip()}" for one, unit in zip(names, units, strict=True))
+    return above[1]
 
 
 def _numbers(name: str, lines: list[str], width: int) -> np.ndarray:

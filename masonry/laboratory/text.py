@@ -11,6 +11,7 @@ from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
 from masonry.judgement.words import BELOW_0, percent
+from masonry.laboratory.beside_text import measured_lines, standard_lines
 from masonry.laboratory.shaking_text import shaking_rows
 from masonry.results.frame_choice import without_noise
 from masonry.results.reaction_words import reaction_lines
@@ -132,6 +133,8 @@ def summary_rows(summary: Summary) -> Rows:
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *_collapse_rows(summary),
         *_gauge_rows(summary, driven),
+        ("measured", measured_lines(summary.beside_measured) if summary.beside_measured else []),
+        ("standard", standard_lines(summary.standard) if summary.standard else []),
         ("compression", [pressed_text(summary)] if summary.compression_max_pa else []),
         *_balance_rows(summary, driven),
         *(_slow_rows(summary) if driven and not summary.in_real_time else []),

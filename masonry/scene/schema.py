@@ -21,6 +21,7 @@ from masonry.scene.tables.loads_and_supports import Drive, Fill, Settle, Solver,
 from masonry.scene.tables.point_counts import DENSITIES, PerAxis
 from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen import Specimen
+from masonry.scene.tables.standard import Standard
 from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table
 
 SAMPLING = 200.0
@@ -64,6 +65,7 @@ class SceneData(Table):
     solver: Solver = Solver()
     gauge: tuple[GaugeTable, ...] = ()
     curve: Curve | None = None
+    standard: Standard | None = None
     limit: LimitLoad | None = None
     assumptions: Annotated[dict[str, str], AfterValidator(ReadOnly)] = ReadOnly()
 
@@ -266,6 +268,8 @@ class SceneData(Table):
         gauges = gauges_of(names)
         if self.curve is not None:
             self._curve_draws(self.curve, gauges)
+        if self.standard is not None:
+            self._standard_reads(self.standard, gauges)
         led = None if self.limit is None else self.limit.control
         if led is not None and led not in gauges:
             there = nearest(led, gauges) if gauges else "there is none: give the scene a table [[gauge]]"
@@ -279,12 +283,22 @@ class SceneData(Table):
         across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
         if curve.x not in across:
             raise KeyedError("curve.x", f"'{curve.x[:60]}' is no gauge; allowed: {', '.join(across)}")
+        if curve.measured is not None and (curve.x == TILT or self.drive is None):
+            raise KeyedError("curve.measured", "is drawn beside the curve of a [drive], over its way or a gauge")
         for name in curve.gauges:
             if name not in gauges:
                 allowed = ", ".join(["stress", "force", *gauges])
                 raise KeyedError("curve.y", f"'{name[:60]}' is no gauge; allowed: {allowed}")
             if curve.x != "time":
                 raise KeyedError("curve.y", "a gauge is drawn over the time only: give curve.x = 'time'")
+
+    def _standard_reads(self, standard: Standard, gauges: list[str]) -> None:
+        """The gauges that it names are there, and something is driven."""
+        for key, name in (("shortening", standard.shortening), ("extension", standard.extension)):
+            if name is not None and name not in ("displacement", *gauges):
+                raise KeyedError(f"standard.{key}", f"'{name[:60]}' is no gauge; {nearest(name, gauges)}")
+        if self.drive is None:
+            raise KeyedError("standard", "a test needs a table [drive], which presses the specimen")
 
     def _kinematics_have_what_they_need(self) -> None:
         if self.deforms("floor") and self.is_floor("floor") and "floor" not in self.material:

@@ -91,7 +91,8 @@ def _anchor(raw: dict[str, Any], file: Traversable) -> None:
     grounds = ground if isinstance(ground, list) else [ground]
     quiet = raw.get("quiet")
     grounds += [one.get("wave") for one in quiet if isinstance(one, dict)] if isinstance(quiet, list) else []
-    for table, key in ((raw.get("specimen"), "path"), *((one, "record") for one in grounds)):
+    named = ((raw.get("specimen"), "path"), (raw.get("curve"), "measured"))
+    for table, key in (*named, *((one, "record") for one in grounds)):
         path = table.get(key) if isinstance(table, dict) else None
         if isinstance(table, dict) and isinstance(path, str) and path and isinstance(file, Path):
             table[key] = str(file.absolute().parent / path)

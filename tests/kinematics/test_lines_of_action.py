@@ -90,11 +90,11 @@ def test_a_load_with_a_history_of_ones_is_the_one_that_stays(line):
 
 
 def test_where_nothing_can_turn_nothing_is_computed_for_it():
-    held = [{"on": "slab", "fix": "all"}, {"on": "block", "fix": ["y", "rotation"]}]
+    supports = [{"on": "slab", "fix": "all"}, {"on": "block", "fix": ["y", "rotation"]}]
     from masonry.assembly.assemble import assemble
 
-    assert assemble(pushed_over(MOVING, support=held)).model.point_loads is None
-    assert assemble(pushed_over(FIXED, support=held)).model.point_loads is not None
+    assert assemble(pushed_over(MOVING, support=supports)).model.point_loads is None
+    assert assemble(pushed_over(FIXED, support=supports)).model.point_loads is not None
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,8 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.scales import Scales
+from masonry.laboratory.summary.measurements.beside_measured import beside_measured
+from masonry.laboratory.summary.measurements.standard_results import standard_results
 from masonry.results.summary import Extremes, Readings
 from masonry.rows.columns import RATES, TILT
 from masonry.rows.cycles import table
@@ -29,6 +31,8 @@ def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
         cycles=table(scales.before_fall, outcome.observed["widest"], assembly.scene.loops_over),
         tilt_rad=float(rows[TILT][-1]) if TILT in rows else None,
         gauges=_readings(assembly, outcome, driven),
+        beside_measured=beside_measured(assembly, outcome),
+        standard=standard_results(assembly, outcome),
     )
 
 

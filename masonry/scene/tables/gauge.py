@@ -1,12 +1,17 @@
 """What a scene wants to have measured besides the drive, and how its curve is drawn."""
 
 import re
+from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import AfterValidator, PlainSerializer, PlainValidator, ValidationInfo
+import numpy as np
+from pydantic import AfterValidator, Field, PlainSerializer, PlainValidator, ValidationInfo, model_validator
 
+from masonry.errors import SceneError, visible
+from masonry.ground.record_file import read_record
 from masonry.quantity import convert
-from masonry.scene.tables.types import Direction, Table
+from masonry.rows.measured_curve import ForcePath
+from masonry.scene.tables.types import Direction, KeyedError, Table
 
 NAME = re.compile(r"\w[\w .+-]{0,59}")
 
@@ -85,9 +90,61 @@ class Curve(Table):
 
     x: str = "displacement"
     y: Annotated[str | tuple[str, ...], PlainValidator(_several)] = "stress"
+    measured: Annotated[str, Field(min_length=1, max_length=4000)] | None = None
+    measured_columns: tuple[str, str] | None = None
+    measured_units: tuple[str, str] | None = None
 
     @property
     def gauges(self) -> tuple[str, ...]:
         """The gauges that it draws upwards; none where that is the stress or the force."""
         names = (self.y,) if isinstance(self.y, str) else self.y
         return () if names in (("stress",), ("force",)) else names
+
+    def measurement(self, section: float) -> ForcePath | None:
+        """The measured curve: m, and N over a section (m2) where it is a stress. Raises SceneError."""
+        return None if self.measured is None else _measurement(self, Path(self.measured), section)
+
+    @model_validator(mode="after")
+    def _measures_what_it_draws(self) -> "Curve":
+        if self.measured is None:
+            for key in ("measured_columns", "measured_units"):
+                if getattr(self, key) is not None:
+                    raise KeyedError(key, "belongs to measured, the file of a measured curve, which is missing")
+            return self
+        if self.gauges or self.x == "time":
+            raise KeyedError("measured", "is a force or stress over a displacement: leave curve.x = 'time' out")
+        try:
+            self.measurement(1.0)
+        except SceneError as error:
+            raise KeyedError("measured", str(error)) from None
+        return self
+
+
+def _measurement(curve: Curve, path: Path, section: float) -> ForcePath:
+    record = read_record(path)
+    if record.values.shape[1] < 2:
+        raise SceneError(f"{record.name} has one column: a curve has two, displacement and force")
+    columns = [record.column(word) for word in curve.measured_columns or ("1", "2")]
+    units = curve.measured_units or [record.unit_of(column) for column in columns]
+    scaled = []
+    for k, (column, unit, allowed) in enumerate(zip(columns, units, (("length",), ("force", "stress")), strict=True)):
+        name = visible(record.columns[column][:60])
+        if unit is None:
+            raise SceneError(f"measured_units: missing; {record.name} has no unit behind '{name}': ['mm', 'kN']")
+        kind = next((one for one in allowed if _fits(unit, one)), None)
+        if kind is None:
+            what = "a length, such as mm" if k == 0 else "a force or a stress, such as kN or MPa"
+            raise SceneError(f"{record.name}, column '{name}': '{visible(unit[:40])}' is not the unit of {what}")
+        factor = convert(f"1 {unit}", kind, "measured_units") * (section if kind == "stress" else 1.0)
+        scaled.append(factor * record.values[:, column])
+    if not np.ptp(scaled[0]) > 0.0:
+        raise SceneError(f"{record.name}: its displacement does not change; is it the right column?")
+    return ForcePath(*scaled)
+
+
+def _fits(unit: str, kind: str) -> bool:
+    try:
+        convert(f"1 {unit}", kind, "unit")
+    except ValueError:
+        return False
+    return True

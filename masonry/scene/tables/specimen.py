@@ -71,6 +71,7 @@ class WalletteSpec(_Wall):
     plates: Length | None = None
     base: Length | None = None
     beam: Length | None = None
+    shoes: Length | None = None
 
     @model_validator(mode="after")
     def _is_divided_once(self) -> "WalletteSpec":
