@@ -4,6 +4,8 @@ import numpy as np
 
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Seen
+from masonry.laws.compression_cap import INITIAL
+from masonry.laws.state import JointProperties
 from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.predictor import Predictor
 from masonry.model.model import Model
@@ -11,7 +13,8 @@ from masonry.runtime.state_file import Remembering
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
-    """Largest share of its strength that a contact uses, in tension or in shear; at 1 it tears, slips or opens.
+    """Largest share of its strength that a contact uses, in tension, shear or compression; at 1 it tears, slips, opens
+    or begins to crush.
 
     rest  (C,) Pa, normal stress under the dead loads alone: a joint without tensile strength opens when that has gone
     """
@@ -27,8 +30,18 @@ def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
         capacity = joint.tensile_strength - np.minimum(rest[span], 0.0)
         gained = sigma - np.minimum(rest[span], 0.0)
         in_tension = np.divide(gained, capacity, out=np.ones_like(sigma), where=capacity > 0.0)
-        most = max(most, float(in_shear.max(initial=0.0)), float(in_tension.max(initial=0.0)))
+        shares = in_shear, in_tension, pressed_over_cap(joint, sigma, tau)
+        most = max(most, *(float(share.max(initial=0.0)) for share in shares))
     return min(most, 1.0)
+
+
+def pressed_over_cap(joint: JointProperties, sigma: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """(n,) compression over that at which a contact begins to crush, shear included; none where it cannot."""
+    if joint.compressive_strength is None:
+        return np.zeros(0)
+    begins = joint.compressive_strength * (1.0 if joint.cap_shear_factor is None else INITIAL)
+    pressed = np.minimum(sigma, 0.0) ** 2 + (joint.cap_shear_factor or 0.0) * tau**2
+    return np.asarray(np.sqrt(pressed) / begins)
 
 
 class Dry(Remembering):

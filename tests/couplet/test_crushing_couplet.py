@@ -1,0 +1,69 @@
+"""A couplet that is pressed until its joint crushes: stress, energies, and what a result keeps of it."""
+
+import numpy as np
+import pytest
+
+import masonry
+
+STRENGTH, AT_PEAK, ENERGY, STIFFNESS = 11.0e6, 0.05e-3, 4000.0, 150e9
+PRESSED = {
+    "drive.direction": "-z",
+    "drive.displacement": "2 mm",
+    "confinement": "0 Pa",
+    "support.1.fix": ["x", "y", "rotation"],
+    "contact.unit_unit.compressive_strength": f"{STRENGTH} Pa",
+    "contact.unit_unit.fracture_energy_compression": f"{ENERGY} N/m",
+}
+
+
+def strength(kind: str, closing: np.ndarray) -> np.ndarray:
+    """(n,) Pa after a plastic closing (n,) m: Lourenco and Rots (1997), or a straight line down to nothing."""
+    if kind == "cut-off":
+        return STRENGTH * np.maximum(1.0 - closing * STRENGTH / (2.0 * ENERGY), 0.0)
+    middle = AT_PEAK + 75.0 / 67.0 * ENERGY / STRENGTH
+    rise = np.clip(closing / AT_PEAK, 0.0, 1.0)
+    hardening = STRENGTH / 3.0 + 2.0 / 3.0 * STRENGTH * np.sqrt(2.0 * rise - rise**2)
+    parabola = STRENGTH * (1.0 - 0.5 * np.clip((closing - AT_PEAK) / (middle - AT_PEAK), 0.0, 1.0) ** 2)
+    slope = -STRENGTH / (middle - AT_PEAK)
+    end = STRENGTH * (0.1 + 0.4 * np.exp(slope * np.maximum(closing - middle, 0.0) / (0.4 * STRENGTH)))
+    return np.where(closing < AT_PEAK, hardening, np.where(closing < middle, parabola, end))
+
+
+@pytest.fixture(scope="module", params=["cap", "cut-off"])
+def pressed(request):
+    own = {"contact.unit_unit.crushing": request.param}
+    if request.param == "cap":
+        own["contact.unit_unit.closing_at_peak"] = f"{AT_PEAK} m"
+    return request.param, masonry.run(masonry.load("couplet", {**PRESSED, **own}))
+
+
+def test_the_stress_follows_what_is_left_of_the_strength(pressed):
+    kind, result = pressed
+    rows = result.history.rows
+    stress = np.abs(rows["stress"])
+    closing = np.abs(rows["displacement"]) - stress / STIFFNESS
+    crushing = closing > 1e-3 * AT_PEAK
+    assert crushing.sum() > 50
+    np.testing.assert_allclose(stress[crushing], strength(kind, closing)[crushing], atol=2e-3 * STRENGTH)
+    assert stress.max() == pytest.approx(STRENGTH, rel=2e-3)
+
+
+def test_the_work_of_crushing_is_the_area_below_the_strength_and_the_balance_closes(pressed):
+    kind, result = pressed
+    rows = result.history.rows
+    section = result.specimen.section
+    end = float(np.abs(rows["displacement"][-1]) - np.abs(rows["stress"][-1]) / STIFFNESS)
+    path = np.linspace(0.0, end, 200_001)
+    assert rows["crushing"][-1] == pytest.approx(section * np.trapezoid(strength(kind, path), path), rel=2e-3)
+    assert np.diff(rows["crushing"]).min() >= 0.0
+    assert result.summary.energy_imbalance < 1e-10 and result.summary.dissipation_mismatch < 1e-4
+    assert not rows["fracture_mode_1"].any() and not rows["friction"].any()
+
+
+def test_the_closing_is_kept_with_the_frames_and_drawn_as_crushed(pressed, tmp_path):
+    _, result = pressed
+    result.save(tmp_path / "kept")
+    frame = masonry.load_result(tmp_path / "kept").history.frames[-1]
+    np.testing.assert_array_equal(frame.crushing, result.history.frames[-1].crushing)
+    expected = np.abs(frame.displacement) + frame.normal_stress / STIFFNESS
+    np.testing.assert_allclose(frame.crushing, expected, rtol=1e-6)
