@@ -21,6 +21,7 @@ SHOWN = {
     "angle": (57.29577951308232, "deg"),
 }
 """Factor and unit in which a kind of quantity is shown; others in SI."""
+CRUSHING = ("compressive_strength", "fracture_energy_compression", "closing_at_peak", "cap_shear_factor")
 AGREE = 0.01
 """How far `tension_area` may be off the integral of `tension_intact`."""
 
@@ -118,6 +119,8 @@ def _about(name: str, contact: Any, parameters: Any) -> list[tuple[str, list[str
     read = properties_of(name)
     residual = ("residual_cohesion", "tan_residual_friction") if "cohesion" in read else ()
     keys = ["normal_stiffness", "shear_stiffness", *read, *residual]
+    if contact.crushing is not None:
+        keys += [key for key in CRUSHING if getattr(contact, key) is not None]
     return [
         ("law", [f"{name}, of {'masonry' if own is None else own.origin}: {_first_line(module)}"]),
         ("parameters", [_parameter(contact, key) for key in (keys if name != "elastic" else keys[:2])]),
@@ -179,11 +182,28 @@ def _energies(contact: Any, measured: Any) -> list[tuple[str, list[str]]]:
                     ],
                 )
             )
+    rows += _crushing(measured.crushing)
     lines = []
     for compression, energy in measured.mode_2.items():
         expected = None if mode_2 is None else mode_2 + (slope or 0.0) * compression
         lines.append(f"at {compression * 1e-6:g} MPa: {_energy(energy, expected)}")
     return [*rows, ("G_II, measured", lines)] if lines else rows
+
+
+def _crushing(crushing: Any) -> list[tuple[str, list[str]]]:
+    """The areas of the curve of compression beside the closed forms, and a warning where they differ."""
+    if crushing is None or crushing.areas is None:
+        return []
+    areas = crushing.areas
+    lines = [
+        f"{areas.softening:.4g} N/m of softening, above what is left in the end; given: {areas.softening_wanted:.4g}"
+    ]
+    off = abs(areas.softening / areas.softening_wanted - 1.0)
+    if areas.hardening_wanted:
+        lines.append(f"{areas.hardening:.4g} N/m of hardening; closed form: {areas.hardening_wanted:.4g}")
+        off = max(off, abs(areas.hardening / areas.hardening_wanted - 1.0))
+    rows = [("G_c, measured", lines)]
+    return rows if off <= AGREE else [*rows, ("WARNING", ["the areas are not those of the closed form"])]
 
 
 def _energy(energy: Any, expected: float | None) -> str:

@@ -1,9 +1,11 @@
-"""The portrait of a law as a picture: traction against separation, shear against slip, and the energies dissipated."""
+"""The portrait of a law as a picture: traction against separation, shear against slip, energies dissipated; and where
+crushing is modelled, compression against closing and the surface of yield."""
 
 from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import whole_file
+from masonry.drawings.crushing_portrait import CrushingPortrait
 from masonry.drawings.law_portrait import Portrait
 from masonry.errors import SceneError
 from masonry.pictures.style import MEGA, MILLI, plain, write_png
@@ -22,11 +24,16 @@ def draw_law(name: str, portrait: Portrait, path: Path) -> Path:
 
 
 def law_figure(name: str, portrait: Portrait) -> Any:
-    """A matplotlib figure: curves above, energies below; tension to the left, shear to the right."""
+    """A matplotlib figure: curves above, energies below; tension to the left, shear beside it, to the right crushing
+    with the surface of yield, where it is modelled."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(11, 8), layout="constrained")
-    panels = figure.subplots(2, 2, height_ratios=[3, 2], sharex="col")
+    crushes = portrait.crushing
+    figure = Figure(figsize=(11 if crushes is None else 16, 8), layout="constrained")
+    panels = figure.subplots(2, 2 if crushes is None else 3, height_ratios=[3, 2])
+    for column in (0, 1):
+        panels[0, column].sharex(panels[1, column])
+        panels[0, column].tick_params(labelbottom=False)
     figure.suptitle(plain(f"law {name}"), fontsize=13)
     for axes in panels.flat:
         axes.grid(color="0.9", linewidth=0.8)
@@ -34,6 +41,8 @@ def law_figure(name: str, portrait: Portrait) -> Any:
         axes.spines[["top", "right"]].set_visible(False)
     _draw_tension(panels[0, 0], panels[1, 0], portrait)
     _draw_shear(panels[0, 1], panels[1, 1], portrait)
+    if crushes is not None:
+        _draw_crushing(panels[0, 2], panels[1, 2], crushes)
     return figure
 
 
@@ -65,3 +74,21 @@ def _draw_shear(curve: Any, energies: Any, portrait: Portrait) -> None:
     energies.set_ylabel("energy [N/m]")
     energies.set_xlabel("slip [mm]")
     energies.legend(frameon=False, fontsize=9)
+
+
+def _draw_crushing(curve: Any, plane: Any, crushing: CrushingPortrait) -> None:
+    path = crushing.curve
+    curve.set_title("pressed, let go, and pressed on", fontsize=10, color="0.3")
+    curve.plot(-path.opening * MILLI, -path.sigma * MEGA, color=COLOURS[1], linewidth=1.8)
+    curve.set_ylabel("compression [MPa]")
+    curve.set_xlabel("closing [mm]")
+    work = curve.twinx()
+    work.plot(-path.opening * MILLI, path.crushing, color=FRACTURE, linewidth=1.2, label="crushing")
+    work.set_ylabel("energy of crushing [N/m]", color=FRACTURE)
+    work.spines["top"].set_visible(False)
+    for (words, points), colour in zip(crushing.surface.items(), (COLOURS[1], COLOURS[2], "0.55"), strict=False):
+        plane.plot(points[:, 0] * MEGA, points[:, 1] * MEGA, color=colour, linewidth=1.4, label=words)
+    plane.set_title("normal and shear stress at which a contact yields", fontsize=10, color="0.3")
+    plane.set_xlabel("normal stress, tension positive [MPa]")
+    plane.set_ylabel("shear stress [MPa]")
+    plane.legend(frameon=False, fontsize=9)

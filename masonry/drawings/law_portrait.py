@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.drawings.crushing_portrait import CrushingPortrait, crushing_portrait
 from masonry.drawings.one_contact import Path, follow
 from masonry.laws.law_dispatch import beside
 from masonry.laws.state import JointProperties
@@ -43,20 +44,25 @@ class Energy:
 
 @dataclass(frozen=True)
 class Portrait:
-    """Paths for a picture, and energies; both of shear by compression (Pa). No energies where nothing softens."""
+    """Paths for a picture, and energies; both of shear by compression (Pa). No energies where nothing softens; no
+    crushing where that is not modelled."""
 
     tension: Path
     shear: dict[float, Path]
     mode_1: Energy | None
     mode_2: dict[float, Energy]
+    crushing: CrushingPortrait | None = None
 
 
 def portrait(parameters: Any, joint: JointProperties) -> Portrait:
     """Take contacts along paths: opened, closed and opened again; slid and back under three compressions.
 
-    Dilation is left out: it would press the faces, and a curve of shear then has no one compression.
+    Dilation is left out: it would press the faces, and a curve of shear then has no one compression. So is crushing but
+    in a curve of its own.
     """
     joint = joint._replace(tan_dilation=None, dilation_cutoff=None)
+    crushes = crushing_portrait(parameters, joint)
+    joint = joint._replace(compressive_strength=None, crushing_energy=None, closing_at_peak=None, cap_shear_factor=None)
     strength = joint.tensile_strength
     at_peak = (strength or 0.0) / joint.normal_stiffness
     if strength:
@@ -81,7 +87,7 @@ def portrait(parameters: Any, joint: JointProperties) -> Portrait:
         if compression:
             reversal = at_peak + 0.3 * (end - at_peak)
             shear[compression] = _push(parameters, joint, compression, _through(0.0, reversal, -0.5 * reversal, end))
-    return Portrait(tension, shear, mode_1, mode_2)
+    return Portrait(tension, shear, mode_1, mode_2, crushes)
 
 
 def _given(parameters: Any, mode: int, compression: float) -> float | None:

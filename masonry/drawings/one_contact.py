@@ -41,7 +41,7 @@ def follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: n
 
 
 def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: np.ndarray) -> Path:
-    history, plastic = _of_numpy(_initial_history(joint)), 0.0
+    history, plastic = initial_history(joint), 0.0
     closing = hardening = None if joint.compressive_strength is None else np.float64(0.0)
     ks = joint.shear_stiffness
     fracture = friction = crushing = sigma = tau = 0.0
@@ -74,15 +74,17 @@ def _of_numpy(fields: Any) -> Any:
     return type(fields)(*(value if value is None else np.float64(value) for value in fields))
 
 
-def _initial_history(joint: JointProperties) -> ContactHistory:
+def initial_history(joint: JointProperties) -> ContactHistory:
     """What a contact remembers at first; None where its options need nothing."""
     limit = 0.0 if joint.tensile_strength is None else joint.tensile_strength / joint.normal_stiffness
-    return ContactHistory(
-        opening_max=inf if joint.tensile_strength is None else max(limit, TOUCHING),
-        intact_n=1.0,
-        intact_s=1.0,
-        secant=joint.normal_stiffness if limit > 0.0 else 0.0,
-        dilation=None if joint.tan_dilation is None else 0.0,
-        permanent_opening=0.0 if joint.elastic_unloading is not None else None,
-        plastic_slip=None if joint.tan_dilation is None else 0.0,
+    return _of_numpy(
+        ContactHistory(
+            opening_max=inf if joint.tensile_strength is None else max(limit, TOUCHING),
+            intact_n=1.0,
+            intact_s=1.0,
+            secant=joint.normal_stiffness if limit > 0.0 else 0.0,
+            dilation=None if joint.tan_dilation is None else 0.0,
+            permanent_opening=0.0 if joint.elastic_unloading is not None else None,
+            plastic_slip=None if joint.tan_dilation is None else 0.0,
+        )
     )

@@ -182,3 +182,32 @@ def test_what_is_left_beyond_the_peak_just_above_a_snap_back_is_measured():
 def test_a_brittle_law_has_no_energy_beyond_the_peak():
     measured = portrait(*law("brittle"))
     assert [measured.mode_1.beyond, *(energy.beyond for energy in measured.mode_2.values())] == [0.0] * 5
+
+
+CAP = {"crushing": "cap", "closing_at_peak": 0.09e-3, "fracture_energy_compression": 5e3}
+CUT_OFF = {"crushing": "cut-off", "fracture_energy_compression": 5e3}
+
+
+@pytest.mark.parametrize("options", [CAP, CUT_OFF], ids=["cap", "cut-off"])
+@pytest.mark.parametrize("name", ["friction", "exponential"])
+def test_the_areas_in_compression_are_those_of_the_closed_forms(name, options):
+    crushes = portrait(*law(name, compressive_strength=10.5e6, **options)).crushing
+    areas = crushes.areas
+    assert areas.softening == pytest.approx(5e3, rel=1e-4) == areas.softening_wanted
+    assert areas.hardening == pytest.approx(
+        (1 / 3 + np.pi / 6) * 10.5e6 * options.get("closing_at_peak", 0.0), rel=1e-4
+    )
+    assert crushes.curve.sigma.min() == pytest.approx(-10.5e6, rel=3e-3)
+    (surface,) = [points for words, points in crushes.surface.items() if words in ("at the strength", "yields")]
+    assert np.all(np.abs(surface[:, 0]) <= 10.5e6 * (1 + 1e-9)) and surface[-1, 0] == pytest.approx(-10.5e6)
+    cap = np.hypot(np.minimum(surface[:, 0], 0.0), 3.0 * surface[:, 1] if "closing_at_peak" in options else 0.0)
+    assert cap.max() == pytest.approx(10.5e6, rel=1e-9)
+
+
+def test_a_law_that_crushes_says_so_and_has_a_third_column(capsys):
+    words = ["--set=crushing=cap"]
+    words += ["--set=compressive_strength=10.5 MPa", "--set=fracture_energy_compression=5 N/mm"]
+    text = said(capsys, "friction", *words, "--set=closing_at_peak=0.09 mm")
+    assert "compressive_strength = 10.5 MPa" in text and "given: 5000" in text and "closed form: 809.8" in text
+    assert len(law_figure("cap", portrait(*law("exponential", compressive_strength=1e6, **CAP))).axes) == 7
+    assert len(law_figure("plain", portrait(*law("exponential"))).axes) == 4
