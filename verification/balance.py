@@ -1,7 +1,7 @@
 """The energy balance of a run, added up here from the terms of its ledger: the program's own sum is only compared.
 
 external work = damping + kinetic + elastic energy of the blocks + work taken by the contacts        (an identity)
-work taken by the contacts = stored + fracture I + fracture II + friction                            (O(dt))
+work taken by the contacts = stored + fracture I + fracture II + friction + crushing                 (O(dt))
 
 In large displacement the first has the drift of the rotors as well, and the second what dashpots dissipate, what is
 lost as contacts are found anew, and what areas that change under pressure take.
@@ -15,7 +15,8 @@ import numpy as np
 from masonry.laboratory.result import Result
 
 TAKEN = ("damping", "kinetic", "elastic_blocks", "contact_work", "rotor")
-DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
+DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction", "crushing")
+"""The last one where crushing is modelled."""
 IN_LARGE = ("dashpot", "redetection", "area")
 """What contacts take besides in large displacement."""
 SAME = 1e-13
@@ -24,8 +25,8 @@ Terms = Mapping[str, np.ndarray | float]
 
 
 def dissipated(summary: Mapping[str, Any]) -> float:
-    """J that fracture and friction have taken by the end of a run."""
-    return float(sum(summary["energy_j"][key] for key in DISSIPATED))
+    """J that fracture, friction and crushing have taken by the end of a run."""
+    return float(sum(summary["energy_j"].get(key, 0.0) for key in DISSIPATED))
 
 
 def residual(terms: Terms) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Contacts that crush on random cyclic paths: what must hold for every law with a cap or a cut-off, and every option."""
+"""Contacts that crush on random cyclic paths: what must hold for each law with a cap or a cut-off, and each option."""
 
 from itertools import product
 

@@ -19,7 +19,7 @@ def identity(findings: Findings, words: str, result: Result, absent: tuple[str, 
     rows = result.history.rows
     work = float(np.abs(rows["external_work"]).max())
     on = sum(float(np.abs(rows[term]).max()) > 1e-6 * work for term in TERMS)
-    fall = min(float(np.diff(rows[key]).min()) for key in (*balance.DISSIPATED, "damping"))
+    fall = min(float(np.diff(rows[key]).min()) for key in (*balance.DISSIPATED, "damping") if key in rows)
     findings.check(f"{words}: balance of all terms, largest at any row", "J",
                    float(np.abs(balance.residual(rows)).max()), 0.0, "closed form", 1e-12, 1e-15,
                    "an identity of leapfrog with trapezoids: rounding", work)  # fmt: skip

@@ -53,10 +53,7 @@ def compression_of(contact: Contact) -> Compression | None:
     """How it crushes; None where that is not modelled."""
     if contact.crushing is None or contact.compressive_strength is None:
         return None
-    energy = contact.fracture_energy_compression
-    cap = (
-        (contact.closing_at_peak, 9.0 if contact.cap_shear_factor is None else contact.cap_shear_factor)
-        if contact.crushing == "cap"
-        else (None, None)
-    )
-    return Compression(contact.compressive_strength, np.inf if energy is None else energy, *cap)
+    energy, kp, css = contact.fracture_energy_compression, contact.closing_at_peak, contact.cap_shear_factor
+    if contact.crushing == "cap" and css is None:
+        css = 9.0
+    return Compression(contact.compressive_strength, np.inf if energy is None else energy, kp, css)

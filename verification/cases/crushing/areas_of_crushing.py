@@ -16,7 +16,7 @@ Reference: Lourenco and Rots 1997, as OOFEM's manual writes it; the areas by han
 import numpy as np
 
 from verification.case import Case, Findings, Line
-from verification.fixtures.crushed_contact import AT_PEAK, CAP, CUT_OFF, ENERGY, FM, KN, closed_by, ours
+from verification.checks.crushed_contact import AT_PEAK, CAP, CUT_OFF, ENERGY, FM, KN, closed_by, ours
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import bears
 

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from verification.case import Case, Findings
-from verification.fixtures.crushed_contact import CAP, CUT_OFF, FM, of_interface_model, ours, theirs
+from verification.checks.crushed_contact import CAP, CUT_OFF, FM, of_interface_model, ours, theirs
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import Compression
 
@@ -60,7 +60,7 @@ def run() -> Findings:
                        "one scheme, two programs: what the roots are found to", 1.0)  # fmt: skip
     off = np.array([np.median(apart(CAP, steps)) for steps in STEPS])
     findings.check("cap, all softens: median difference, halved with the step", "1", float(off[-1] / off[-2]), 0.5,
-                   "same discretisation", 0.2, 0.06, "of first order in the step, and a corner of a path more or less")  # fmt: skip
+                   "same discretisation", 0.2, 0.06, "of first order, and a corner more or less")  # fmt: skip
     findings.check("cap, all softens: median difference with 80 steps a leg", "1", float(off[-1]), 0.0,
                    "same discretisation", 2e-4, 7e-5, "of first order in the step", 1.0)  # fmt: skip
     return findings

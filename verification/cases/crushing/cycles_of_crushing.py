@@ -12,7 +12,7 @@ by what has closed for good.
 import numpy as np
 
 from verification.case import Case, Findings, Line
-from verification.fixtures.crushed_contact import AT_PEAK, CAP, CUT_OFF, FM, KN, closed_by, ours
+from verification.checks.crushed_contact import AT_PEAK, CAP, CUT_OFF, FM, KN, closed_by, ours
 from verification.fixtures.one_contact import Walk, along, walk
 from verification.references.interface.crushing import Compression, bears
 
@@ -50,7 +50,8 @@ def run() -> Findings:
         back = (walked.sigma[at] - walked.sigma[at + 1]) / (walked.path[at, 2] - walked.path[at + 1, 2])
         live = walked.sigma[at + 1] < 0.0
         findings.check(f"{words}: stiffness on the way back, largest deviation", "Pa/m",
-                       float(np.abs(back[live] - KN).max()), 0.0, "closed form", 1e-10, 1e-11, "a straight line", KN)  # fmt: skip
+                       float(np.abs(back[live] - KN).max()), 0.0, "closed form", 1e-10, 1e-11,
+                       "a straight line", KN)  # fmt: skip
         again = np.abs(walked.sigma[at] - walked.sigma[at + 3]).max()
         findings.check(f"{words}: stress at the turns before and after the way back", "Pa", float(again), 0.0,
                        "closed form", 1e-11, 1e-12, "nothing is lost on an elastic way", FM)  # fmt: skip

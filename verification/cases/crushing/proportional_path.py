@@ -15,7 +15,7 @@ Reference: Lourenco and Rots 1997, with Cnn = 1, Cn = 0, Css = 9.
 import numpy as np
 
 from verification.case import Case, Findings, Line
-from verification.fixtures.crushed_contact import AT_PEAK, CAP, FACTOR, FM, KN, KS, STRONG, ours
+from verification.checks.crushed_contact import AT_PEAK, CAP, FACTOR, FM, KN, KS, STRONG, ours
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import bears
 
