@@ -6,9 +6,9 @@ MOST_FACES, MOST_CORNERS = 4096, 2047
 """Of one piece, and of one face."""
 OTHER, CUT = 2048, 4095
 """Where the edges of the second face begin, and the edge along which a polygon was cut at the reach."""
-CROSSED, LONE, INNER = 1 << 60, 1 << 59, 1 << 58
+CROSSED, LONE, INNER = 1 << 60, 1 << 59, 1 << 49
 """Added where two edges cross; where a corner is in the other piece that no corner of an overlap of faces is; and to
-the name of a corner, for the point inside the patch that stands for it (spread.py)."""
+the name of a corner, once, twice, ..., for each point inside the patch that stands for it (spread.py)."""
 
 
 @inner

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.detection.features import INNER
-from masonry.detection.spread import AT_CORNERS, spread
+from masonry.detection.spread import AT_CORNERS, rounds_of, spread, spread_in_rounds
 from tests.detection.test_history import Patch, carried, losses, measure, random_polygon, square
 
 SLOPE = np.array([2e-4, -1e-4, 3e-4])
@@ -20,6 +20,19 @@ class Spread(Patch):
         self.gap = self.point @ SLOPE
         self.area, self.feature = np.r_[self.area, np.zeros(n)], np.r_[self.feature, np.zeros(n, dtype=int)]
         assert spread(self.point, self.gap, self.area, self.feature, n) == 2 * n
+
+
+class InRounds(Patch):
+    """A patch with `along` points along its edges."""
+
+    def __init__(self, corners, along: int, scale: float = 1.0) -> None:
+        super().__init__(corners, None, scale)
+        n, m = len(self.area), along // 2
+        self.point = np.vstack([self.point, np.zeros(((m - 1) * n, 3))])
+        self.gap = self.point @ SLOPE
+        self.area = np.r_[self.area, np.zeros((m - 1) * n)]
+        self.feature = np.r_[self.feature, np.zeros((m - 1) * n, dtype=int)]
+        assert spread_in_rounds(self.point, self.gap, self.area, self.feature, n, rounds_of(along)) == m * n
 
 
 def polar(corners) -> float:
@@ -75,3 +88,28 @@ def test_an_even_traction_goes_over_whole_to_a_patch_within_and_corners_pass_not
     at_corners = even * (np.arange(8) < 4)[:, None]
     shear, _ = carried(old, at_corners, new)
     assert shear == pytest.approx(at_corners, rel=1e-12)
+
+
+@pytest.mark.parametrize("along", [4, 10, 20])
+def test_in_rounds_a_rectangle_has_the_points_of_gauss_and_lobatto_along_each_edge(along):
+    """Even powers up to 2 along - 4 of the distance from the middle are integrated exactly, along both edges."""
+    sides = np.array([3.0, 0.7])
+    patch = InRounds(square() @ np.diag(sides), along)
+    arm = (patch.point[:, :2] - patch.point[:, :2].mean(axis=0)) / (0.5 * sides)
+    assert np.unique(patch.feature // INNER).tolist() == list(range(along // 2))
+    assert np.abs(arm).max() == pytest.approx(1.0)
+    for power in range(0, 2 * along - 3, 2):
+        assert patch.area @ arm**power == pytest.approx(np.full(2, patch.area.sum() / (power + 1)), rel=1e-12)
+    assert patch.gap == pytest.approx(patch.point @ SLOPE, abs=1e-15)
+
+
+def test_in_rounds_area_first_moment_and_polar_moment_of_any_polygon_are_exact():
+    rng = np.random.default_rng(5)
+    for _ in range(100):
+        corners = random_polygon(rng)
+        area, centroid = measure(corners)
+        patch = InRounds(corners, 10, 1.3)
+        arm = patch.point[:, :2] - centroid
+        assert patch.area.min() > 0.0 and patch.area.sum() == pytest.approx(1.3 * area, rel=1e-12)
+        assert patch.area @ arm == pytest.approx([0.0, 0.0], abs=1e-11 * area * np.abs(arm).max())
+        assert patch.area @ (arm**2).sum(axis=1) == pytest.approx(1.3 * polar(corners), rel=1e-9)
