@@ -19,6 +19,8 @@ from masonry.scene import Scene
 NONE = -1
 SKIN = 0.02
 """Of the mean size of a block, where the scene gives none."""
+ALONG = 10
+"""Points along the edges of patches that may crush: the moment of a toe is then within 2 % (docs/crushing.md)."""
 
 
 @dataclass(frozen=True)
@@ -71,9 +73,35 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
     bounces = [pairs.properties[name].get("restitution") for name in pairs.names]
     rise = np.array([(*further_share(e), MOST_LENGTH) if e else (0.0, 0.0, 0.0) for e in bounces])
     rules = Rules(kn, ks, tan, damping, left if left.any() else None, rise=rise if rise.any() else None)
+    cap, cut_off = _crushing(pairs)
+    rules = rules._replace(cap=cap, cut_off=cut_off)
     skin, branches = scene.solver.skin, swing_of(scene.damping).branch_count
     spread = scene.specimen.patch_points == "spread"
-    return Meetings(rules, pairs.number, SKIN if skin is None else skin, spread, branches)
+    along = _points_along(scene, cap is not None or cut_off is not None)
+    return Meetings(rules, pairs.number, SKIN if skin is None else skin, spread, branches, along)
+
+
+def _points_along(scene: Scene, crushes: bool) -> int:
+    """How many points a patch has along its edges, if a scene does not spread them."""
+    if scene.specimen.patch_points_per_edge is not None:
+        return scene.specimen.patch_points_per_edge
+    chosen = scene.specimen.patch_points is not None or any(map(scene.is_meshed, scene.material))
+    return ALONG if crushes and not chosen else 2
+
+
+def _crushing(pairs: Pairs) -> tuple[np.ndarray | None, np.ndarray | None]:
+    """Rules.cap and Rules.cut_off."""
+    cap, cut_off = np.zeros((len(pairs.names), 4)), np.zeros((len(pairs.names), 2))
+    for row, name in enumerate(pairs.names):
+        joint = pairs.laws[name][1]
+        if joint.compressive_strength is None:
+            continue
+        energy = np.inf if joint.crushing_energy is None else joint.crushing_energy
+        if joint.cap_shear_factor is None:
+            cut_off[row] = joint.compressive_strength, energy
+        else:
+            cap[row] = joint.compressive_strength, energy, joint.closing_at_peak, joint.cap_shear_factor
+    return (cap if cap.any() else None, cut_off if cut_off.any() else None)
 
 
 def _names(blocks: Blocks) -> dict[tuple[int, int, int], str]:

@@ -25,9 +25,9 @@ from masonry.kernels.quiet import absorbing, remembering
 from masonry.kernels.shaking import shaking
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
+from masonry.patches.arrays import AREA, BORN, CRUSHED, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
 from masonry.patches.press import deepest, stored_energy
-from masonry.rows.columns import LARGE_UNITS
+from masonry.rows.columns import CRUSHING, LARGE_UNITS
 
 ROUNDED = 1e-6
 """Of the momentum over a time step: forces below are measured by it. Rounding makes 1e-16 of it."""
@@ -41,7 +41,7 @@ class LargeDisplacement:
 
     def __init__(self, model: Model, large: Large) -> None:
         self.model, self.parts, self.stepper = model, large, Stepper()
-        self.columns: tuple[str, ...] = (*LARGE_UNITS, *crushing_of(model))
+        self.columns: tuple[str, ...] = (*LARGE_UNITS, *self._crushing())
         self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
         self.bearing = BearingPoints(large.near)
         self.energy, self.deepest_overlap, self.deepest_pair = np.zeros(1), np.zeros(1), np.zeros(1, dtype=np.int64)
@@ -121,8 +121,15 @@ class LargeDisplacement:
             "dashpot": float(account[DASHPOT]) + taken_by_dashpots(self.model),
             "redetection": float(account[SHEAR_LOST]),
             "area": -float(account[NORMAL_GAINED] + account[BORN]),
-            **crushing_of(self.model),
+            **self._crushing(),
         }
+
+    def _crushing(self) -> dict[str, float]:
+        """J that crushing took in bonds and patches, under the name of its column; nothing where it is not modelled."""
+        near, in_bonds = self.parts.near, crushing_of(self.model)
+        if near.crushed is None:
+            return in_bonds
+        return {CRUSHING: in_bonds.get(CRUSHING, 0.0) + float(near.account[CRUSHED])}
 
     @cached_property
     def _joint_forces(self) -> JointForces:

@@ -9,12 +9,14 @@ from geometry.joints.extents import joint_extents
 from masonry.configuration.contacts import stored_in_contacts
 from masonry.configuration.joint_forces import bond_forces
 from masonry.configuration.room import make_room
+from masonry.detection.narrow import FACE
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, NORMAL_GAINED, SHEAR, SHEAR_LOST, Near
-from masonry.patches.press import gap_of, stored
+from masonry.patches.arrays import AREA, NORMAL_GAINED, PLACE, SHEAR, SHEAR_LOST, Near
+from masonry.patches.crushed_points import CLOSING, HARDENING
+from masonry.patches.press import pressing_gap, stored
 from masonry.patches.refreshing import refresh
 from masonry.patches.slack import hold
 from masonry.simd import FOUR
@@ -28,11 +30,14 @@ like others: what is left of the joint would not let them touch elsewhere."""
 
 
 class Carried(NamedTuple):
-    """What the bonds of two blocks carry: force (3,) N on the first one; J that they hold by pressure and by shear."""
+    """What the bonds of two blocks carry: force (3,) N on the first one; J that they hold by pressure and by shear; and
+    where they were (n, 3) m in the undeformed shape, and how far crushed (n, 2) m, None where nothing crushes."""
 
     force: np.ndarray
     pressed: float
     sheared: float
+    place: np.ndarray
+    crushed: np.ndarray | None
 
 
 def retire(model: Model, large: Large) -> None:
@@ -58,6 +63,8 @@ def retire(model: Model, large: Large) -> None:
     bonds.alive[going] = False
     bonds.runs[:, 3] = np.where(bonds.alive[bonds.runs[:, 2]], bonds.runs[:, 3], bonds.runs[:, 2])
     large.parted[going] = model.state.slip[going]  # here the law is elastic, and bears nothing
+    if model.state.crushed is not None:
+        large.parted[going] -= model.state.crushed[going, :1] * model.contacts.normal[going]
     model.contacts.area[going] = 0.0
     model.contacts.force[going] = bonds.force[going] = 0.0
     sheared = sum(one.sheared for one in left.values())
@@ -131,7 +138,12 @@ def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> 
     sheared = np.bincount(of, np.divide(across, 2.0 * ks * area, out=np.zeros(len(ks)), where=ks > 0.0))
     total = np.zeros((len(pairs), 3))
     np.add.at(total, of, bond_forces(model, large, which))
-    return {int(k): Carried(*one) for k, *one in zip(pairs, total, pressed, sheared, strict=True)}
+    crushed, carried = model.state.crushed, {}
+    for k, (blocks, *one) in enumerate(zip(pairs, total, pressed, sheared, strict=True)):
+        own, (force, pressure, shear) = which[of == k], one
+        closings = None if crushed is None else np.array(crushed[own, :2])
+        carried[int(blocks)] = Carried(force, pressure, shear, model.joints.point[own], closings)
+    return carried
 
 
 def _pairs_of(near: Near, wanted: Collection[int], count: int) -> dict[int, list[int]]:
@@ -152,6 +164,7 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     pairs, points, motion, rules = near.pairs, near.points, near.motion, near.rules
     held = {}
     for p in which:
+        _hand_over_crushing(near, p, left)
         near.account[NORMAL_GAINED] -= stored(pairs, points, rules, motion, p)[0]
         pairs.slack[p] = 0.0
         held[p] = stored(pairs, points, rules, motion, p)[0]
@@ -182,6 +195,21 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     near.account[SHEAR_LOST] -= less**2 * sheared
 
 
+def _hand_over_crushing(near: Near, p: int, left: Carried) -> None:
+    """The points of a patch of two faces are crushed as the bonds next to them were; their faces are told at the next
+    look. What they hold is booked as if they had been so before."""
+    crushed, s, own = near.points.crushed, near.pairs.slot[p], near.pairs.points_of[p]
+    if crushed is None or left.crushed is None or near.pairs.witness[p, 0] != FACE:
+        return
+    pressed = stored(near.pairs, near.points, near.rules, near.motion, p)[0]
+    k = np.arange(near.points.number[s])
+    place = near.motion.centre[near.pairs.body[p, own]] + near.points.quads[s, k // FOUR, PLACE : PLACE + 3, k % FOUR]
+    next_to_it = np.argmin(np.sum((left.place - place[:, None]) ** 2, axis=2), axis=1)
+    for row, closings in zip((CLOSING, HARDENING), left.crushed.T, strict=True):
+        crushed[s, k // FOUR, row, k % FOUR] += closings[next_to_it]
+    near.account[NORMAL_GAINED] += stored(near.pairs, near.points, near.rules, near.motion, p)[0] - pressed
+
+
 def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:
     """Energies (J) of the pairs once they have a slack that presses all their points, about as hard as they held."""
     gaps = np.concatenate([_gaps_of(near, p) for p in which])
@@ -192,9 +220,9 @@ def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:
 
 
 def _gaps_of(near: Near, p: int) -> np.ndarray:
-    """(K,) m, gaps of the points of a pair, slack included."""
+    """(K,) m, by which the points of a pair press."""
     count = near.points.number[near.pairs.slot[p]]
-    return np.array([gap_of(near.pairs, near.points, near.motion, p, k) for k in range(count)]) + near.pairs.slack[p]
+    return np.array([pressing_gap(near.pairs, near.points, near.motion, p, k) for k in range(count)])
 
 
 def pressures_of(near: Near, p: int) -> np.ndarray:

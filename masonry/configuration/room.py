@@ -62,8 +62,9 @@ def _holding(near: Near, pairs: PatchPairs) -> Near:
 
 def no_points_like(near: Near, room: int) -> PatchPoints:
     """Room for the points of so many pairs that hold as much as those that there are."""
-    keep = near.rules.keep
-    return no_points(room, near.points.feature.shape[1], 0 if keep is None else len(keep))
+    keep, crushed = near.rules.keep, near.points.crushed
+    branches, rows = 0 if keep is None else len(keep), 0 if crushed is None else crushed.shape[2]
+    return no_points(room, near.points.feature.shape[1], branches, rows)
 
 
 def _with_points(near: Near, room: int) -> Near:

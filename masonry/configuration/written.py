@@ -108,6 +108,8 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     if large.members is not None:
         arrays |= _fields("motion", WrittenOfMotion, near.motion) | {"rotations": large.bonds.frames}
     arrays |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}
+    if near.crushed is not None:
+        arrays |= {f"crushed.{name}": getattr(near.crushed, name) for name in ("closing", "hardening", "begun")}
     return arrays | {f"points.{name}": array for name, array in near.points._asdict().items() if array is not None}
 
 

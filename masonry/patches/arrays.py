@@ -1,7 +1,7 @@
 """What patches are made of: the points where pairs touch, what holds where they do, how blocks move, and how a search
 or a step ends. Pairs themselves: pairs.py."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,9 +15,9 @@ from masonry.simd import FOUR
 
 PLACE, LEVEL, AREA, SHEAR = 0, 3, 4, 5
 """Rows of PatchPoints.quads."""
-FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN = range(5)
+FRICTION, DASHPOT, SHEAR_LOST, NORMAL_GAINED, BORN, CRUSHED = range(6)
 """Of Near.account (J): dissipated by friction and by dashpots; lost as shear went to new points; gained as the areas of
-points that press changed, and by points that were born pressing."""
+points that press changed, and by points that were born pressing; dissipated by crushing."""
 REASON, PAIR, ROOM = range(3)
 """Of Search.refusal: why no step was taken, the pair that is to blame, and for how many pairs there must be room."""
 NEED_POINTS, NEED_PAIRS, TOO_DEEP = 1, 2, 3
@@ -38,6 +38,7 @@ class PatchPoints(NamedTuple):
     feature  (S, K) names
     damper   (S, K) Pa, stress of the dashpot at the last step
     branches  (S, K / FOUR, 3 J, FOUR) Pa on the reference, x, y, z of each branch: branches.py; None without any
+    crushed  (S, K / FOUR, ROWS, FOUR) plastic closing and its hardening: crushed_points.py; None where nothing crushes
     free     (S + 1,) the last number is how many slots are free, the first ones which
     """
 
@@ -46,6 +47,7 @@ class PatchPoints(NamedTuple):
     feature: np.ndarray
     damper: np.ndarray
     branches: np.ndarray | None
+    crushed: np.ndarray | None
     free: np.ndarray
 
 
@@ -53,7 +55,9 @@ class Rules(NamedTuple):
     """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
     residual cohesion (Pa) of faces that touch; None where no table has any. keep, gain (J,) of the branches beside the
     springs: branches.py; None without any. rise (R, 3) where a restitution is given, 0 else: by how much more of
-    critical a dashpot needs in an impact of w (1/s), over w and its square, and the most w."""
+    critical a dashpot needs in an impact of w (1/s), over w and its square, and the most w. cap (R, 4) strength in
+    compression (Pa), energy (N/m), closing at its peak (m) and weight of shear; cut_off (R, 2) strength and energy, inf
+    where nothing softens: crushed_points.py; 0 in the rows of others, None without any."""
 
     normal_stiffness: np.ndarray
     shear_stiffness: np.ndarray
@@ -63,6 +67,8 @@ class Rules(NamedTuple):
     keep: np.ndarray | None = None
     gain: np.ndarray | None = None
     rise: np.ndarray | None = None
+    cap: np.ndarray | None = None
+    cut_off: np.ndarray | None = None
 
 
 class BlockMotion(NamedTuple):
@@ -104,7 +110,8 @@ class Search(NamedTuple):
     least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
-    spread   whether patches have points inside besides those at their corners
+    spread   whether patches have a point inside for each at their corners
+    rounds   (m, 2) of detection/spread.py, where they have more of them; else of one round
     candidates  (F, 2) room for the pairs that a search finds
     losers   (F,) room for the pairs that lost normal energy in the looks of a step
     patches  (F,) room for how many patches lie on each face
@@ -128,6 +135,7 @@ class Search(NamedTuple):
     built: np.ndarray
     skin: np.ndarray
     spread: bool
+    rounds: np.ndarray
     candidates: np.ndarray
     losers: np.ndarray
     patches: np.ndarray
@@ -159,7 +167,8 @@ class FormerPatch(NamedTuple):
 
 
 class Near(NamedTuple):
-    """All of what blocks meet; `before` is room for the pairs of the last search; account (5,) J."""
+    """All of what blocks meet; `before` is room for the pairs of the last search; account (6,) J; crushed (of
+    crushed_faces.py) is None where nothing crushes."""
 
     pieces: ConvexPieces
     turned: TurnedPieces
@@ -174,6 +183,7 @@ class Near(NamedTuple):
     former: FormerPatch
     scratch: Scratch
     account: np.ndarray
+    crushed: Any = None
 
 
 @inner
@@ -233,8 +243,8 @@ def outward(own):
     return 1.0 if own == 1 else -1.0
 
 
-def no_points(room: int, most: int, branches: int = 0) -> PatchPoints:
-    """Room for the points of so many pairs, `most` each, with so many branches, and none in it."""
+def no_points(room: int, most: int, branches: int = 0, crushed: int = 0) -> PatchPoints:
+    """Room for the points of so many pairs, `most` each, with so many branches and numbers of crushing; none in it."""
     most = -(-most // 4) * 4
     return PatchPoints(
         number=np.zeros(room, dtype=np.int64),
@@ -242,6 +252,7 @@ def no_points(room: int, most: int, branches: int = 0) -> PatchPoints:
         feature=np.zeros((room, most), dtype=np.int64),
         damper=np.zeros((room, most)),
         branches=np.zeros((room, most // FOUR, 3 * branches, FOUR)) if branches else None,
+        crushed=np.zeros((room, most // FOUR, crushed, FOUR)) if crushed else None,
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),
     )
 

@@ -8,6 +8,7 @@ from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inner
 from masonry.jit.records import call, unpack
 from masonry.patches.arrays import NEED_PAIRS, NORMAL_GAINED, REASON, ROOM, SEARCHES, SHEAR_LOST, Near
+from masonry.patches.crushed_faces import keep_crushing
 from masonry.patches.pairs import begin_pair, copy_pair, copy_pairs
 from masonry.patches.press import stored
 
@@ -63,7 +64,7 @@ def merge(near, count):
     for k in range(count):
         i, j = search.candidates[k, 0], search.candidates[k, 1]
         while p < last and (before.piece[p, 0] < i or (before.piece[p, 0] == i and before.piece[p, 1] < j)):
-            part(near, before, p)
+            leave(near, before, p)
             p += 1
         a, b = pieces.body[i], pieces.body[j]
         known = p < last and before.piece[p, 0] == i and before.piece[p, 1] == j
@@ -77,7 +78,7 @@ def merge(near, count):
             begin_pair(pairs, number, i, j, a, b, search.law_of[search.group[a], search.group[b], one])
             number += 1
     while p < last:
-        part(near, before, p)
+        leave(near, before, p)
         p += 1
     pairs.number[0] = number
 
@@ -88,6 +89,13 @@ def is_bonded(bonded, alive, a, b, count):
     key = min(a, b) * count + max(a, b)
     k = np.searchsorted(bonded, key)
     return k < len(bonded) and bonded[k] == key and alive[k]
+
+
+@inner
+def leave(near, pairs, p):
+    """A pair is near no more; its faces remember how far it was crushed."""
+    keep_crushing(near.crushed, near, pairs, p)
+    part(near, pairs, p)
 
 
 @inner

@@ -16,6 +16,7 @@ from masonry.jit.records import unpack
 from masonry.kinematics.planes import plane_of, turned
 from masonry.patches.arrays import (
     AREA,
+    CRUSHED,
     DASHPOT,
     FRICTION,
     LEVEL,
@@ -28,6 +29,14 @@ from masonry.patches.arrays import (
     vector_of,
 )
 from masonry.patches.branches import beside, with_branches
+from masonry.patches.crushed_points import (
+    crush,
+    four_with_closing,
+    least,
+    row_that_crushes,
+    with_closing,
+    with_crushing,
+)
 from masonry.patches.pairs import FAR
 from masonry.simd import FOUR, any_lane, below, filled, four, minimum, put, take, total, where
 
@@ -48,7 +57,7 @@ def press(record):
     pairs, points, rules, motion, account = near.pairs, near.points, near.rules, near.motion, near.account
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
-    friction = damped = filled(0.0, four())
+    friction = damped = crushing = filled(0.0, four())
     parted = False
     clear(push, 6)
     for p in range(pairs.number[0]):
@@ -65,6 +74,7 @@ def press(record):
         rotation = 0.5 * dt * (rx + wx), 0.5 * dt * (ry + wy), 0.5 * dt * (rz + wz)
         wx, wy, wz, along = wx - rx, wy - ry, wz - rz, n[0] * ox + n[1] * oy + n[2] * oz
         slack, dashpot, count, joint = pairs.slack[p], pairs.dashpot[p], points.number[s], joint_of(rules, pairs.law[p])
+        row = row_that_crushes(points.crushed, pairs, p)
         fx = fy = fz = qx = qy = qz = work = filled(0.0, four())
         for k in range(0, count, FOUR):
             ax, ay, az = places(frame, other, points, s, k)
@@ -72,14 +82,14 @@ def press(record):
             d = ux + wy * az - wz * ay, uy + wz * ax - wx * az, uz + wx * ay - wy * ax
             rate = d[0] * n[0] + d[1] * n[1] + d[2] * n[2]
             present = below(count - k, four())
-            (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
+            (gx, gy, gz), sigma, by_friction, by_dashpot, by_crushing = respond(
                 points,
                 joint,
                 dashpot,
                 s,
                 k,
                 present,
-                gap + slack,
+                four_with_closing(points.crushed, s, k, gap + slack),
                 d,
                 rate,
                 rate,
@@ -89,8 +99,13 @@ def press(record):
                 rules.keep,
                 rules.gain,
                 rise_of(rules.rise, pairs.law[p]),
+                points.crushed,
+                rules.cap,
+                rules.cut_off,
+                row,
             )
             friction, work = friction + by_friction, work + by_dashpot
+            crushing = with_crushing(points.crushed, crushing, by_crushing)
             gx, gy, gz = gx + sigma * n[0], gy + sigma * n[1], gz + sigma * n[2]
             fx, fy, fz = fx + gx, fy + gy, fz + gz
             qx, qy, qz = qx + (ay * gz - az * gy), qy + (az * gx - ax * gz), qz + (ax * gy - ay * gx)
@@ -102,6 +117,7 @@ def press(record):
         parted = parted or (slack != 0.0 and fx == 0.0 and fy == 0.0 and fz == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
+    account[CRUSHED] += with_crushing(points.crushed, 0.0, total(crushing))
     if parted:
         ease(pairs, points, motion)
 
@@ -128,29 +144,36 @@ def places(frame, b, points, s, k):
 
 
 @inlined
-def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain, rise):
-    """What four points of a patch bear: shear (3) and normal force (N), and what friction and dashpot took (J).
+def respond(
+    points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain, rise,
+    crushed, cap, cut_off, row,
+):  # fmt: skip
+    """What four points of a patch bear: shear (3) and normal force (N); what friction, dashpot and crushing took (J).
 
     joint     as `joint_of`; dashpot Pa s/m     present  which of the four there are
     d, along  m/s, of the other block against the reference, and its part along the normal n
-    closing   m/s, rate of the gap (m)     rotation  rad, of the two blocks in this step
-    keep, gain  of branches.py, or None   rise  of Rules, or None
+    gap, closing  m, with the plastic closing, and its rate (m/s)     rotation  rad, of the two blocks in this step
+    keep, gain  of branches.py, or None   rise, cap, cut_off  of Rules, or None, and row of them, -1 of edges
     """
     (kn, ks, tan, cohesion), size = joint, four_of(points, s, k, AREA)
     touches = (gap < 0.0) & present
     sigma = where(touches, kn * gap, 0.0)
     work = filled(0.0, gap)
+    shear = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
+    before = shear[0] * shear[0] + shear[1] * shear[1] + shear[2] * shear[2]
+    closed, limit, by_closing, by_slip = crush(
+        crushed, cap, cut_off, row, s, k, joint, touches, gap, closing, shear, before, d, along, n, dt
+    )
+    sigma = with_crushing(crushed, sigma, kn * closed)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
         now = where(touches, minimum(dashpot * while_closed(rise, gap, closing, dt), -sigma), 0.0)
         work = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
         put(points.damper, (s, k), now)
         sigma = sigma + now
-    shear = four_of(points, s, k, SHEAR), four_of(points, s, k, SHEAR + 1), four_of(points, s, k, SHEAR + 2)
-    before = shear[0] * shear[0] + shear[1] * shear[1] + shear[2] * shear[2]
     if keep is None and not any_lane(touches | (before > 0.0)):
-        return (sigma, sigma, sigma), sigma, sigma, work
+        return (sigma, sigma, sigma), sigma, sigma, work, sigma
     shear, out = turned_with(shear, before, rotation, n)
-    most = strength(cohesion, tan, sigma, touches)
+    most = least(crushed, strength(cohesion, tan, sigma, touches), limit)
     t, heat = slide(shear, out, d, along, n, dt, ks, most)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.quads, (s, k // FOUR, SHEAR, 0), x)
@@ -161,7 +184,8 @@ def respond(points, joint, dashpot, s, k, present, gap, d, along, closing, n, ro
             points.branches, keep, gain, s, k, joint, dt, touches, (x, y, z), most, sigma, d, along, n, rotation
         )
         x, y, z, work = x + m[0], y + m[1], z + m[2], work + size * taken
-    return (size * x, size * y, size * z), size * sigma, size * heat, work
+    heat = with_crushing(crushed, heat, -by_slip)
+    return (size * x, size * y, size * z), size * sigma, size * heat, work, size * (by_closing + by_slip)
 
 
 @inlined
@@ -256,7 +280,7 @@ def stored(pairs, points, rules, motion, p):
     pressed, sheared, s = 0.0, 0.0, pairs.slot[p]
     kn, ks = rules.normal_stiffness[pairs.law[p]], rules.shear_stiffness[pairs.law[p]]
     for k in range(points.number[s] if s >= 0 else 0):
-        gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
+        gap = pressing_gap(pairs, points, motion, p, k)
         if gap < 0.0:
             (x, y, z), area = vector_of(points, s, k, SHEAR), number_of(points, s, k, AREA)
             pressed += 0.5 * area * kn * gap * gap
@@ -272,7 +296,7 @@ def ease(pairs, points, motion):
             continue
         least = FAR
         for k in range(points.number[pairs.slot[p]]):
-            least = min(least, gap_of(pairs, points, motion, p, k))
+            least = min(least, with_closing(points.crushed, pairs.slot[p], k, gap_of(pairs, points, motion, p, k)))
             if least + pairs.slack[p] < 0.0:
                 break
         if least + pairs.slack[p] >= 0.0:
@@ -293,6 +317,13 @@ def gap_of(pairs, points, motion, p, k):
     for i in range(3):
         along += n[i] * (a[i] + o[i])
     return along - scale * number_of(points, s, k, LEVEL)
+
+
+@jit
+def pressing_gap(pairs, points, motion, p, k):
+    """The gap (m) by which a point presses: with the slack of its pair and its plastic closing."""
+    slot, gap = pairs.slot[p], gap_of(pairs, points, motion, p, k)
+    return with_closing(points.crushed, slot, k, gap + pairs.slack[p])
 
 
 @CompiledPart
@@ -317,7 +348,7 @@ def point_forces(record):
         ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
         kn = near.rules.normal_stiffness[pairs.law[p]]
         for k in range(points.number[s] if s >= 0 else 0):
-            gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
+            gap = pressing_gap(pairs, points, motion, p, k)
             if gap >= 0.0:
                 continue
             if count < len(block):
@@ -348,7 +379,7 @@ def deepest(record):
     for p in range(pairs.number[0]):
         s = pairs.slot[p]
         for k in range(points.number[s] if s >= 0 else 0):
-            gap = gap_of(pairs, points, near.motion, p, k)
+            gap = with_closing(points.crushed, s, k, gap_of(pairs, points, near.motion, p, k))
             over_width = -gap / min(width[block[pairs.body[p, 0]]], width[block[pairs.body[p, 1]]])
             if over_width > most:
                 most, which = over_width, p

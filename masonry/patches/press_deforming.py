@@ -10,7 +10,8 @@ from masonry.jit.compiled_parts import CompiledPart
 from masonry.jit.compiler import inlined, inner
 from masonry.jit.records import unpack
 from masonry.kinematics.planes import into, plane_of, turned
-from masonry.patches.arrays import DASHPOT, FRICTION, LEVEL, between, joint_of
+from masonry.patches.arrays import CRUSHED, DASHPOT, FRICTION, LEVEL, between, joint_of
+from masonry.patches.crushed_points import four_with_closing, row_that_crushes, with_crushing
 from masonry.patches.press import any_branches, clear, ease, four_of, places, respond, rise_of
 from masonry.simd import FOUR, below, filled, four, total
 
@@ -26,7 +27,7 @@ def press_deforming(record):
     centre, moved, frame, v, push = motion.centre, motion.moved, motion.frame, motion.v, motion.push
     dual, rate = motion.dual, motion.rate
     body, slot, points_of, normal = pairs.body, pairs.slot, pairs.points_of, pairs.normal
-    friction = damped = filled(0.0, four())
+    friction = damped = crushing = filled(0.0, four())
     parted = False
     clear(push, 12)
     for p in range(pairs.number[0]):
@@ -42,6 +43,7 @@ def press_deforming(record):
         lx, ly, lz = turned(rate, ref, *into(frame, dual, ref, nx, ny, nz))
         stretching, along = nx * lx + ny * ly + nz * lz, nx * ox + ny * oy + nz * oz
         slack, dashpot, count, joint = pairs.slack[p], pairs.dashpot[p], points.number[s], joint_of(rules, pairs.law[p])
+        row = row_that_crushes(points.crushed, pairs, p)
         fx = fy = fz = pressed = work = filled(0.0, four())
         xx = xy = xz = yx = yy = yz = zx = zy = zz = filled(0.0, four())
         for k in range(0, count, FOUR):
@@ -53,11 +55,14 @@ def press_deforming(record):
             dy = dy + (v[other, 1] - v[ref, 1]) - ly
             dz = dz + (v[other, 2] - v[ref, 2]) - lz
             speed = dx * nx + dy * ny + dz * nz
-            (gx, gy, gz), sigma, by_friction, by_dashpot = respond(
-                *(points, joint, dashpot, s, k, below(count - k, four()), gap + slack),
+            closed = four_with_closing(points.crushed, s, k, gap + slack)
+            (gx, gy, gz), sigma, by_friction, by_dashpot, by_crushing = respond(
+                *(points, joint, dashpot, s, k, below(count - k, four()), closed),
                 *((dx, dy, dz), speed, speed + gap * stretching, (nx, ny, nz), spin, dt),
                 *(rules.keep, rules.gain, rise_of(rules.rise, pairs.law[p])),
+                *(points.crushed, rules.cap, rules.cut_off, row),
             )
+            crushing = with_crushing(points.crushed, crushing, by_crushing)
             friction, work, pressed = friction + by_friction, work + by_dashpot, pressed + sigma * gap
             gx, gy, gz = gx + sigma * nx, gy + sigma * ny, gz + sigma * nz
             fx, fy, fz = fx + gx, fy + gy, fz + gz
@@ -74,6 +79,7 @@ def press_deforming(record):
         parted = parted or (slack != 0.0 and force[0] == 0.0 and force[1] == 0.0 and force[2] == 0.0)
     account[FRICTION] += total(friction)
     account[DASHPOT] += total(damped)
+    account[CRUSHED] += with_crushing(points.crushed, 0.0, total(crushing))
     if parted:
         ease(pairs, points, motion)
 

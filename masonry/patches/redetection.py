@@ -8,7 +8,7 @@ import numpy as np
 from masonry.detection import placing
 from masonry.detection.narrow import FACE, NONE, touch
 from masonry.detection.placing import owner
-from masonry.detection.spread import spread
+from masonry.detection.spread import spread, spread_in_rounds
 from masonry.detection.transfer import transfer, turn_tractions
 from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inner
@@ -37,6 +37,7 @@ from masonry.patches.arrays import (
     vector_of,
 )
 from masonry.patches.branches import forget
+from masonry.patches.crushed_faces import keep_crushing, recall_crushing
 from masonry.patches.pair_search import part
 from masonry.patches.pairs import FAR
 from masonry.patches.press import stored
@@ -122,6 +123,7 @@ def answer_of(near, touching, renewing, query):
     pairs.face[p, 0] = pairs.face[p, 1] = -1
     if pairs.witness[p, 0] == FACE:
         pairs.face[p, 0], pairs.face[p, 1] = pairs.witness[p, 1], pairs.witness[p, 2]
+    keep_crushing(near.crushed, near, pairs, p)
     skin = search.skin[0]
     search.tally[LOOKS] += 1
     of_tets, sunk = pieces.block[a] != a or pieces.block[b] != b, False
@@ -142,8 +144,8 @@ def answer_of(near, touching, renewing, query):
         pairs.limit[p] = pairs.reach[p] = reach
         part(near, pairs, p)
         return True
-    if search.spread and kind == FACE and count >= 3:
-        count = spread(footprint.point, footprint.gap, footprint.area, footprint.feature, count)
+    if kind == FACE and count >= 3:
+        count = further_points(search, footprint, count)
     pairs.limit[p] = pairs.reach[p] = MOVED * size
     if pairs.slot[p] < 0 and points.free[len(points.number)] == 0:
         search.refusal[REASON], search.refusal[PAIR] = NEED_POINTS, p
@@ -152,6 +154,16 @@ def answer_of(near, touching, renewing, query):
     query.whole[COUNT], query.whole[OWNER] = count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend)
     call(renewing[0], renewing[1])
     return query.whole[ANSWER] != 0
+
+
+@inner
+def further_points(search, footprint, count):
+    """Points inside of a patch of two faces, besides the `count` at its corners; returns how many there are in all."""
+    if len(search.rounds) > 1:
+        return spread_in_rounds(footprint.point, footprint.gap, footprint.area, footprint.feature, count, search.rounds)
+    if search.spread:
+        return spread(footprint.point, footprint.gap, footprint.area, footprint.feature, count)
+    return count
 
 
 @inner
@@ -169,9 +181,10 @@ def renew(near, p, count, own):
     set_plane(near, p, own)
     deepest, area = write_points(near, p, count, former_count)
     hand_on_shear(near, p, count, former_count)
+    closing = recall_crushing(near.crushed, near, p, count, former_count)
     set_dashpot(pairs, near.rules, search, p, area)
     deep = BORN_DEEP * min(search.deep[pairs.body[p, 0]], search.deep[pairs.body[p, 1]])
-    if former_count == 0 and -deepest > deep and not is_as_deep_beside(near, p, -deepest):
+    if former_count == 0 and -deepest - closing > deep and not is_as_deep_beside(near, p, -deepest):
         search.refusal[REASON], search.refusal[PAIR] = TOO_DEEP, p
         return False
     pairs.slack[p] = min(pairs.slack[p], 0.0)  # what a patch took over from bonds stays

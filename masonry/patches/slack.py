@@ -19,7 +19,7 @@ from math import sqrt
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner, jit
 from masonry.patches.arrays import AREA, DASHPOT, NORMAL_GAINED, number_of
-from masonry.patches.press import gap_of, stored
+from masonry.patches.press import pressing_gap, stored
 
 ROUNDS = 60
 """Of Newton's method, at most: six are usual."""
@@ -94,7 +94,7 @@ def hold(near, p, energy):
     for _ in range(ROUNDS):
         twice = force = deepest = 0.0
         for k in range(points.number[s]):
-            gap = gap_of(pairs, points, motion, p, k) + pairs.slack[p]
+            gap = pressing_gap(pairs, points, motion, p, k)
             if gap < 0.0:
                 twice += number_of(points, s, k, AREA) * kn * gap * gap
                 force -= number_of(points, s, k, AREA) * kn * gap

@@ -104,10 +104,9 @@ def _large_only(scene: Any) -> None:
         raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
     if scene.solver.until is not None:
         raise KeyedError("solver.until", f"{only}; a run of small displacements ends with its loading or its duration")
-    if scene.specimen.patch_points is not None:
-        raise KeyedError(
-            "specimen.patch_points", f"{only}; contact_points says where points of small displacements lie"
-        )
+    for key in ("patch_points", "patch_points_per_edge"):
+        if getattr(scene.specimen, key) is not None:
+            raise KeyedError(f"specimen.{key}", f"{only}; contact_points says where points of small displacements lie")
     if scene.solver.skin is not None:
         raise KeyedError("solver.skin", f"{only}; a run of small displacements looks for contacts once")
 

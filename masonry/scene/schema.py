@@ -102,10 +102,14 @@ class SceneData(Table):
     @property
     def points_per_edge(self) -> PerAxis | None:
         """By axis; None where there are so many on a face, or so far apart. Points at the edges need four, as two alone
-        make a joint three times as strong in bending as its elastic limit; four, 1.22 times."""
-        if self.is_large and self.contact_points == "vertex" and not self.chooses_points:
-            return PerAxis(4, 4, 4)
-        return self.specimen.points_per_edge
+        make a joint three times as strong in bending as its elastic limit; four, 1.22 times. An edge that crushes needs
+        more of them, in the plane of a wall; cells are small enough."""
+        if self.chooses_points:
+            return self.specimen.points_per_edge
+        at_edges, crushes = self.contact_points == "vertex", any(one.crushing for one in self.contact.values())
+        if crushes and getattr(self.specimen, "cells", None) is None:
+            return PerAxis(10, 4, 10) if at_edges else PerAxis(6, 2, 6)
+        return PerAxis(4, 4, 4) if self.is_large and at_edges else self.specimen.points_per_edge
 
     @property
     def chooses_points(self) -> bool:

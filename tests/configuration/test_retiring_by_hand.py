@@ -5,7 +5,8 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration import retirement
-from masonry.patches.arrays import SHEAR
+from masonry.patches.arrays import PLACE, SHEAR
+from masonry.patches.crushed_points import CLOSING
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large.by_hand.patch_calls import stored_energy
@@ -103,6 +104,30 @@ def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, she
     on_the_slab = 1.0 if near.pairs.body[p, 1 - near.pairs.points_of[p]] == 0 else -1.0
     total = on_the_slab * (retirement.areas_of(near, p) @ tractions)
     assert total == pytest.approx([force[0], force[1], 0.0], abs=1e-6 * abs(force[2]))
+
+
+def test_patches_take_over_how_far_bonds_were_crushed_from_the_nearest_of_them():
+    """One half of the joint is crushed by 30 um, the other by 10 um; the block is sunk by 40 um. Energy stays."""
+    model = glued(GLUE + 'compressive_strength = "5 MPa"\ncrushing = "cut-off"\n')
+    near, normal = model.large.near, model.contacts.normal
+    closing = np.where(model.joints.point[:, 0] > 0.0, 3e-5, 1e-5)
+    model.state.crushed[:, 0] = model.state.crushed[:, 1] = closing
+    model.bodies.rigid.q[1, 2] = -4e-5
+    near.motion.travel[1] += 4e-5
+    model.large.parted[...] = -4e-5 * normal
+    pressed(model, 0.0, 0.0)
+    model.contacts.force[...] = KN * (model.contacts.area * (closing - 4e-5))[:, None] * normal
+    springs = float(model.contacts.area @ (KN * (4e-5 - closing) ** 2) / 2.0)
+    model.state.intact_n[:] = model.state.intact_s[:] = 0.0
+    retirement.retire(model, model.large)
+    p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
+    s, own = near.pairs.slot[p], near.pairs.points_of[p]
+    k = np.arange(near.points.number[s])
+    x = near.motion.centre[near.pairs.body[p, own], 0] + near.points.quads[s, k // FOUR, PLACE, k % FOUR]
+    handed_over = near.points.crushed[s, k // FOUR, CLOSING, k % FOUR]
+    assert handed_over == pytest.approx(np.where(x > 0.0, 3e-5, 1e-5), rel=1e-12)
+    assert stored_energy(near) == pytest.approx(springs, rel=1e-9)
+    assert near.pairs.slack[p] == pytest.approx(0.0, abs=1e-9), "the gaps and the closings say it all"
 
 
 def test_shear_that_follows_an_uneven_pressure_holds_no_more_energy_than_the_bonds_did():

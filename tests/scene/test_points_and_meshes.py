@@ -117,3 +117,43 @@ def test_a_scene_that_is_written_out_has_the_contact_points_of_the_one_that_ran(
     assert [getattr(again, key) for key in kept] == [getattr(scene, key) for key in kept]
     assert load("couplet").with_(displacements="large").points_per_edge == (4, 4, 4)
     assert scene.points_per_edge == 3 * (4 if displacements == "large" and scene.contact_points == "vertex" else 2,)
+
+
+CRUSHES = {"contact.unit_unit.crushing": "cut-off", "contact.unit_unit.compressive_strength": "5 MPa"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "points"),
+    [
+        ({}, (6, 2, 6)),
+        ({"specimen.contact_points": "vertex"}, (10, 4, 10)),
+        ({"specimen.points_per_edge": 3}, (3, 3, 3)),
+        ({"specimen.cells.total": 10}, (2, 2, 2)),
+    ],
+)
+def test_joints_that_crush_have_as_many_points_as_their_edge_needs(changes, points):
+    assert load("wall-tilted").points_per_edge == (2, 2, 2)
+    assert load("wall-tilted", {"specimen.contact_points": "gauss", **CRUSHES, **changes}).points_per_edge == points
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"specimen.patch_points_per_edge": 7}, "must be even, as points lie on lines from the middle of a patch"),
+        ({"specimen.patch_points_per_edge": 42}, r"must be in \[2, 40\]"),
+        ({"specimen.patch_points_per_edge": 8, "specimen.patch_points": "spread"}, "exclude each other"),
+    ],
+)
+def test_points_of_patches_are_even_and_said_once(changes, words):
+    with pytest.raises(SceneError, match=words):
+        load("block-rocking", changes)
+
+
+def test_patches_that_crush_have_ten_points_along_an_edge_unless_a_scene_says_otherwise():
+    crushes = {key.replace("unit_unit", "floor_units"): value for key, value in CRUSHES.items()}
+    assert len(assemble(load("block-rocking")).model.large.near.search.rounds) == 1
+    assert len(assemble(load("block-rocking", crushes)).model.large.near.search.rounds) == 5
+    chosen = {**crushes, "specimen.patch_points_per_edge": 20}
+    assert len(assemble(load("block-rocking", chosen)).model.large.near.search.rounds) == 10
+    corners = {**crushes, "specimen.patch_points": "corners"}
+    assert len(assemble(load("block-rocking", corners)).model.large.near.search.rounds) == 1

@@ -19,6 +19,11 @@ def is_dry(assembly: Assembly, g: int) -> bool:
     return law == "friction" or ("tensile_strength" in properties_of(law) and not np.any(strength))
 
 
+def points_are_chosen(assembly: Assembly) -> bool:
+    """Whether patches have points where the scene wants them, or more of them as they may crush."""
+    return assembly.scene.specimen.chooses_patch_points or assembly.model.state.crushed is not None
+
+
 def rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[Doubt]:
     """One for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
     model, raised, reach = assembly.model, [], _reach(assembly.joints)

@@ -14,6 +14,7 @@ from masonry.detection.broad import cells_for
 from masonry.detection.overlap import most_points, scratch_of
 from masonry.detection.pieces import pieces_of
 from masonry.detection.placing import turned_of
+from masonry.detection.spread import rounds_of
 from masonry.detection.tet_pieces import FACES
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
@@ -26,6 +27,8 @@ from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, leve
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
 from masonry.patches.arrays import Near, Rules, Search, no_footprint, no_former_patch, no_points
+from masonry.patches.crushed_faces import crushed_faces
+from masonry.patches.crushed_points import ROWS
 from masonry.patches.pairs import no_pairs
 
 LEAST = 1e-2
@@ -39,6 +42,7 @@ class Meetings:
     skin    of the mean size of a block: how far blocks may come nearer before all pairs are found anew
     branches  of dashpots beside the springs
     spread  whether patches have points inside besides those at their corners
+    along   how many points a patch has along its edges
     """
 
     rules: Rules
@@ -46,6 +50,17 @@ class Meetings:
     skin: float
     spread: bool = False
     branches: int = 0
+    along: int = 2
+
+    @property
+    def crushes(self) -> bool:
+        """Whether any two blocks may crush where they meet."""
+        return self.rules.cap is not None or self.rules.cut_off is not None
+
+    @property
+    def rounds(self) -> int:
+        """Points of a patch for each of its corners."""
+        return 2 if self.spread else self.along // 2
 
     @property
     def stiffest(self) -> float:
@@ -191,14 +206,12 @@ def near_of(
 ) -> tuple[Near, Members | None]:
     """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
-    masses    (rows, dofs) of each kind, those of motion, of held blocks too
-    bonded    (K, 2) blocks that bonds hold together
+    masses (rows, dofs) of each kind, those of motion, of held blocks too; bonded (K, 2) blocks that bonds hold together
     """
     tets = outer_tets(layout)
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
-    count, size = len(pieces.block), sizes_of(layout, tets)
-    most, room = most_points(pieces) * (2 if meetings.spread else 1), 8 * len(pieces.body) + 64
-    pair_keys = keys(bonded, len(pieces.body))
+    count, size, pair_keys = len(pieces.block), sizes_of(layout, tets), keys(bonded, len(pieces.body))
+    most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
     search = Search(
         group=blocks.group.astype(np.int64)[pieces.block],
         unit=blocks.unit.astype(np.int64)[pieces.block],
@@ -214,6 +227,7 @@ def near_of(
         built=np.full(count, -1e30),
         skin=np.array([meetings.skin * size[: blocks.count].mean()]),
         spread=meetings.spread,
+        rounds=rounds_of(meetings.along),
         candidates=np.zeros((room, 2), dtype=np.int64),
         losers=np.zeros(room, dtype=np.int64),
         patches=np.zeros(len(pieces.normal), dtype=np.int64),
@@ -223,22 +237,22 @@ def near_of(
         tally=np.zeros(2, dtype=np.int64),
     )
     motion, members = motion_of(layout, bodies, pieces.reach, tets)
-    near = Near(
+    return Near(
         pieces=pieces,
         turned=turned_of(pieces),
         cells=cells_for(pieces, room),
         pairs=no_pairs(room),
         before=no_pairs(room),
-        points=no_points(room, most, meetings.branches),
+        points=no_points(room, most, meetings.branches, ROWS if meetings.crushes else 0),
         rules=own_rules(meetings),
         motion=motion,
         search=search,
         footprint=no_footprint(most),
         former=no_former_patch(most),
         scratch=scratch_of(pieces),
-        account=np.zeros(5),
-    )
-    return near, members
+        account=np.zeros(6),
+        crushed=crushed_faces(pieces, size[: blocks.count], tets is not None) if meetings.crushes else None,
+    ), members
 
 
 def own_rules(meetings: Meetings) -> Rules:

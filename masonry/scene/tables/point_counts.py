@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, NamedTuple
 
-from pydantic import BeforeValidator, PlainSerializer, ValidationInfo
+from pydantic import AfterValidator, BeforeValidator, PlainSerializer, ValidationInfo
 
 from masonry.quantity import convert
 from masonry.scene.tables.types import Count, Given, KeyedError
@@ -30,6 +30,12 @@ def _per_axis(value: Any, info: ValidationInfo) -> Any:
     return PerAxis(*3 * (int(number),))
 
 
+def _even(value: int) -> int:
+    if value % 2:
+        raise ValueError(f"must be even, as points lie on lines from the middle of a patch to its corners; not {value}")
+    return value
+
+
 def _write_per_axis(value: PerAxis | None) -> Any:
     return value._asdict() if value is not None and len(set(value)) > 1 else value and value.x
 
@@ -41,6 +47,7 @@ def fewest(number: PerAxis | int) -> int:
 
 PointsPerEdge = Annotated[PerAxis | None, BeforeValidator(_per_axis), PlainSerializer(_write_per_axis)]
 PointsPerFace = Annotated[int, Given("integer", "[1, 1e5]")]
+PatchPointsPerEdge = Annotated[int, AfterValidator(_even), Given("integer", "[2, 40]")]
 
 
 def one_density(table: Any) -> Any:

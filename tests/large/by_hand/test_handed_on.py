@@ -8,6 +8,7 @@ from masonry.configuration import energy
 from masonry.patches.arrays import (
     AREA,
     BORN,
+    CRUSHED,
     DASHPOT,
     FRICTION,
     NORMAL_GAINED,
@@ -163,7 +164,7 @@ def test_each_number_of_the_account_has_its_line_in_the_ledger_with_its_sign(str
     before = energy.ledger(straight, view, speeds)
     lines = {FRICTION: ("friction", 1.0), DASHPOT: ("dashpot", 1.0), SHEAR_LOST: ("redetection", 1.0)}
     lines |= {NORMAL_GAINED: ("area", -1.0), BORN: ("area", -1.0)}
-    assert sorted(lines) == list(range(len(near.account)))
+    assert [*sorted(lines), CRUSHED] == list(range(len(near.account))), "that has its line where anything crushes"
     for place, (name, sign) in lines.items():
         near.account[place] += 10.0 + place
         after = energy.ledger(straight, view, speeds)

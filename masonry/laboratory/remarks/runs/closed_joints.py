@@ -7,7 +7,7 @@ They decide where no block moved by more than a thousandth of the smallest one: 
 import numpy as np
 
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.edge_reach import is_dry
+from masonry.laboratory.remarks.edge_reach import is_dry, points_are_chosen
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.stability import smallest_block
 
@@ -18,7 +18,7 @@ STAYS = 1e-3
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
     model, frames = inspection.assembly.model, inspection.frames
-    if not inspection.assembly.scene.is_large or inspection.assembly.scene.specimen.patch_points is not None:
+    if not inspection.assembly.scene.is_large or points_are_chosen(inspection.assembly):
         return []
     farthest = max(float(np.abs(frame.corners).max(initial=0.0)) for frame in frames) if frames else 0.0
     dry = any(is_dry(inspection.assembly, g) for g in range(len(model.group_names)))

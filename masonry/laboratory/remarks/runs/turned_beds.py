@@ -9,6 +9,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.edge_reach import points_are_chosen
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
@@ -20,7 +21,7 @@ TURNED, MATTERS = 0.01, 0.1
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most, of what was until a block fell."""
     assembly, outcome, frames = inspection.assembly, inspection.outcome, inspection.frames
-    if not assembly.scene.is_large or assembly.scene.specimen.patch_points is not None or len(frames) < 2:
+    if not assembly.scene.is_large or points_are_chosen(inspection.assembly) or len(frames) < 2:
         return []
     rows, fallen = outcome.history.rows, outcome.found["collapse"]
     frames = [frame for frame in frames if fallen is None or frame.step <= fallen[1]]

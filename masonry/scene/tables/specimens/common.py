@@ -5,7 +5,14 @@ from typing import Any, Literal
 from pydantic import model_validator
 
 from masonry.scene.tables.cells import CellsTable, exclude
-from masonry.scene.tables.point_counts import PerAxis, PointsPerEdge, PointsPerFace, fewest, one_density
+from masonry.scene.tables.point_counts import (
+    PatchPointsPerEdge,
+    PerAxis,
+    PointsPerEdge,
+    PointsPerFace,
+    fewest,
+    one_density,
+)
 from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SignedAngle, Table
 
 
@@ -27,6 +34,7 @@ class SpecimenTable(Table):
     points_per_face: PointsPerFace | None = None
     contact_spacing: Length | None = None
     patch_points: Literal["corners", "spread"] | None = None
+    patch_points_per_edge: PatchPointsPerEdge | None = None
     mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
     turned: TurnTable | None = None
@@ -35,6 +43,19 @@ class SpecimenTable(Table):
     @classmethod
     def _one_density(cls, data: Any) -> Any:
         return one_density(data)
+
+    @property
+    def chooses_patch_points(self) -> bool:
+        """Whether a scene says where points of patches lie."""
+        return self.patch_points is not None or self.patch_points_per_edge is not None
+
+    @model_validator(mode="after")
+    def _has_one_kind_of_patch_points(self) -> "SpecimenTable":
+        if self.patch_points is not None and self.patch_points_per_edge is not None:
+            raise KeyedError(
+                "patch_points_per_edge", "patch_points and patch_points_per_edge exclude each other; keep one of them"
+            )
+        return self
 
     @model_validator(mode="after")
     def _has_corners(self) -> "SpecimenTable":

@@ -1,0 +1,70 @@
+"""Are the contact points too few at joints whose edge crushes? The moment of such a joint depends on where its stress
+block ends, and few rows of points bear another moment than many.
+
+By hand, under the normal force N that the joint has at the peak: a block of its compressive strength, as wide as bears
+N, at the edge that is pressed; by its points, filled from that edge on, and by strips. The limit is 3 % of the moment,
+of the joint that is farthest off; six Gauss points along an edge are within 4 %, ten within 1.5 %
+(docs/choose-settings.md).
+"""
+
+import numpy as np
+
+from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.joint_faces import MOST, corners_of, law_of
+from masonry.laboratory.remarks.joint_sections import Section, of_points, spread
+
+OFF = 0.03
+"""Of the moment of a joint."""
+EVEN = 0.9
+"""Of the largest plastic closing in a joint: where all points closed by more, it does not bend."""
+
+
+def doubts(inspection: Inspection) -> list[Doubt]:
+    """One at most; patches of large displacement have points of their own."""
+    model = inspection.assembly.model
+    crushed = model.state.crushed
+    if crushed is None or not inspection.frames or not crushed[:, 0].any():
+        return []
+    off = _errors(inspection, crushed[:, 0])
+    worst = max(off, key=abs, default=0.0)
+    if abs(worst) <= OFF:
+        return []
+    sentence = (
+        f"the contact points of joints whose edge crushes are too few: a joint bears {100 * abs(worst):.2g} % "
+        f"{'more' if worst > 0.0 else 'less'} moment than it would with many"
+    )
+    return [
+        Doubt("crushed_toes", worst, OFF, sentence, "take more specimen.points_per_edge along edges that bend: 6 to 10")
+    ]
+
+
+def _errors(inspection: Inspection, closing: np.ndarray) -> list[float]:
+    """The moment of the stress block by points over that by strips, less one, of the joints that were crushed most."""
+    assembly, faces, look = inspection.assembly, inspection.faces, inspection.look(inspection.peak)
+    joints, errors = assembly.joints, []
+    most = np.maximum.reduceat(closing[faces.order], faces.start[:-1])
+    for face in np.argsort(-most, kind="stable")[:MOST]:
+        own, length = faces.contacts(face), float(np.linalg.norm(look.moment[face]))
+        joint, force = law_of(assembly, faces, face)[1], -float(look.force[face])
+        strength = joint.compressive_strength
+        if most[face] == 0.0 or strength is None or length == 0.0 or force <= 0.0:
+            continue
+        share = force / (float(strength) * faces.area[face])
+        if closing[own].min() > EVEN * most[face] or share >= 1.0:
+            continue
+        along, middle = look.moment[face] / length, faces.middle[face]
+        points = of_points((joints.point[own] - middle) @ along, joints.area[own])
+        corners = corners_of(joints, faces.patch[face])
+        strips = spread(corners, along, np.cross(faces.normal[face], along), middle)
+        errors.append(_moment_of_block(points, share) / _moment_of_block(strips, share) - 1.0)
+    return errors
+
+
+def _moment_of_block(section: Section, share: float) -> float:
+    """m2, over the strength: of a stress block on a share of the area, from the edge with the lowest place on."""
+    order = np.argsort(section.place)
+    place, area = section.place[order], section.area[order]
+    before = np.cumsum(area) - area
+    filled = np.clip(share * area.sum() - before, 0.0, area)
+    return float(-(filled @ (place - (area @ place) / area.sum())))

@@ -1,0 +1,54 @@
+"""Few rows of points at a joint whose edge crushes: told where they bear another moment than a stress block."""
+
+import numpy as np
+import pytest
+
+from masonry.assembly.assemble import assemble
+from masonry.laboratory.remarks.runs import crushed_toes
+from tests.judgement.frames import frame
+from tests.judgement.test_limits_of_remarks import inspected
+from tests.large.made import slab
+from tests.scenes import box, listed, load, specimen, tables
+
+SIDE, STRENGTH, SHARE = 0.2, 10e6, 0.1
+
+
+def inspection(points: int, where: str, every: bool = False):
+    """A block on a slab, whose edge presses by as much as SHARE of its area crushes."""
+    more = f'contact_points = "{where}"\npoints_per_edge = {points}'
+    boxes = [slab(1.0), box("block", (0.0, 0.0, 0.0), (SIDE, SIDE, 0.1), "units", 1)]
+    contact = (
+        'law = "friction"\nnormal_stiffness = "10 GPa/m"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = 0.6\n'
+        f'compressive_strength = "{STRENGTH!r} Pa"\ncrushing = "cut-off"'
+    )
+    scene = load(
+        'kinematics = "rigid"\n'
+        + specimen(boxes, 0.01, more=more)
+        + tables("material", {"units": 'density = "2000 kg/m^3"'})
+        + tables("contact", {"unit_unit": contact})
+        + listed("support", ['on = "slab"\nfix = "all"'])
+        + '[drive]\non = "block"\ndirection = "z"\ndisplacement = "1 mm"\n'
+    )
+    assembly = assemble(scene)
+    joints, crushed = assembly.joints, assembly.model.state.crushed
+    x = joints.point[:, 0] - SIDE / 2
+    pressed = np.where(x > 0.5 * x.max(), 1.0, 0.0)
+    crushed[:, 0] = 1e-3 if every else 1e-3 * pressed
+    stress = -SHARE * STRENGTH * SIDE**2 * pressed / (joints.area @ pressed)
+    run = inspected(assembly, [frame(assembly, normal_stress=stress)])
+    run.peak = 0
+    return run
+
+
+@pytest.mark.parametrize(
+    ("points", "where", "off"),
+    [(2, "gauss", -0.358), (4, "gauss", -0.043), (10, "gauss", None), (2, "vertex", 0.111), (20, "vertex", None)],
+)
+def test_few_rows_at_a_crushed_edge_are_told_by_how_much_they_are_off(points, where, off):
+    doubts = crushed_toes.doubts(inspection(points, where))
+    assert [doubt.value for doubt in doubts] == ([] if off is None else [pytest.approx(off, abs=3e-3)])
+    assert all(("more" if off > 0.0 else "less") in doubt.sentence for doubt in doubts)
+
+
+def test_a_joint_that_is_crushed_evenly_does_not_bend():
+    assert crushed_toes.doubts(inspection(2, "gauss", every=True)) == []

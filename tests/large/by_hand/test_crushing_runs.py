@@ -1,0 +1,33 @@
+"""Runs of dry blocks whose toes crush: the ledger closes, rocking dies down by it, and a resumed run is the same."""
+
+import numpy as np
+import pytest
+
+from masonry.laboratory import laboratory
+from tests.large.made import DENSITY, G, dry, slab
+from tests.scenes import box
+
+LENGTH, DEPTH, HEIGHT = 0.3, 0.2, 0.9
+WEIGHT = DENSITY * G * LENGTH * DEPTH * HEIGHT
+STRENGTH = 8.0 * WEIGHT / (LENGTH * DEPTH)
+
+
+def rocking(joint: str, **options):
+    """A slender block that is set off about the middle of its base."""
+    boxes = [slab(2.0), box("block", (-0.5 * LENGTH, -0.5 * DEPTH, 0.0), (LENGTH, DEPTH, HEIGHT), "units", 1)]
+    motion = '[[motion]]\non = "block"\nspin = ["0 rad/s", "1 rad/s", "0 rad/s"]\n'
+    return dry(boxes, duration=0.6, rows=60, stiff="1 GPa/m", shear="0.5 GPa/m", joint=joint, more=motion, **options)
+
+
+CUT_OFF = f'crushing = "cut-off"\ncompressive_strength = "{STRENGTH!r} Pa"'
+
+
+def test_a_block_that_rocks_crushes_its_toes_and_the_ledger_closes():
+    result = laboratory.run(rocking(CUT_OFF))
+    rows = result.history.rows
+    work = 0.5 * DENSITY * LENGTH * DEPTH * HEIGHT * HEIGHT**2 / 3.0
+    assert np.abs(rows["imbalance"]).max() < 1e-10 * work
+    crushing = rows["crushing"]
+    assert crushing[-1] > 1e-3 * work and np.all(np.diff(crushing) >= 0.0)
+    known = sum(rows[name] for name in ("elastic_contacts", "friction", "dashpot", "redetection", "area", "crushing"))
+    assert rows["contact_work"] == pytest.approx(known, abs=1e-4 * work)
