@@ -28,6 +28,6 @@ class Chunk:
 
 
 def begin_at(supports: MovedSupports | None, chunk: Chunk, step: int) -> None:
-    """Hand supports that move the velocities of a chunk, of which a step is next."""
-    if supports is not None and chunk.base is not None:
-        supports.begin(chunk.base, step)
+    """Hand supports that move the velocities of a chunk, of which a step is next; they rest where it has none."""
+    if supports is not None:
+        supports.begin(supports.at_rest(chunk.steps) if chunk.base is None else chunk.base, step)

@@ -27,6 +27,10 @@ class MovedSupports(NamedTuple):
     velocity: np.ndarray
     now: np.ndarray
 
+    def at_rest(self, steps: int) -> np.ndarray:
+        """(steps + 1, C) m/s."""
+        return np.zeros((steps + 1, self.velocity.shape[1]))
+
     def begin(self, velocity: np.ndarray, step: int) -> None:
         """Velocities (n + 1, C) m/s of a chunk, of which a step (from 0 on) is next."""
         self.velocity[: len(velocity)] = velocity
