@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from masonry.laboratory import machine_speed
 from verification.case import Case, Check
 from verification.cases.contact_law import tension_by_law
+from verification.cases.crushing import areas_of_crushing
 from verification.cases.fracture import couplet
 from verification.cases.friction import incline
 from verification.outcome import CaseOutcome, run_case
@@ -12,8 +13,8 @@ from verification.reference_step.speed import measure
 from verification.text import failures
 
 LAW = next(case for case in tension_by_law.CASES if case.name == "tension-exponential")
-CASES: tuple[Case, ...] = (LAW, couplet.CASE, incline.CASE)
-"""One contact, the couplet of the paper, and friction: each against a closed form, all quick."""
+CASES: tuple[Case, ...] = (LAW, areas_of_crushing.CASE, couplet.CASE, incline.CASE)
+"""One contact torn and crushed, the couplet of the paper, and friction: each against a closed form, all quick."""
 Finding = tuple[str, bool, list[str]]
 
 
