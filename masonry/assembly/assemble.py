@@ -1,6 +1,7 @@
 """From a scene to a model: specimen, joints, mesh, laws, conditions, and the program of loading."""
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -56,13 +57,29 @@ class Assembly:
     pairs: Pairs | None = None
 
 
-def assemble(scene: Scene) -> Assembly:
-    """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
+class Fabric(NamedTuple):
+    """Blocks and joints of a scene, before anything loads them.
+
+    joints          sorted by contact group      contact_groups, group  their names, and (C,) the number of each contact
+    density         (B,) kg/m3 of what weighs    moving_density  (B,) of what moves with the blocks
+    """
+
+    specimen: Specimen
+    joints: Joints
+    mesh: TetMesh | None
+    contact_groups: tuple[str, ...]
+    group: np.ndarray
+    materials: dict[str, Material]
+    layout: Layout
+    density: np.ndarray
+    moving_density: np.ndarray
+
+
+def fabric_of(scene: Scene) -> Fabric:
+    """Raises SceneError or GeometryError with one clear message."""
     specimen, joints = joined(scene)
     require_groups(scene, specimen.blocks.groups)
     require_contact_groups(scene, specimen, joints)
-    compressions = sorted({0.0, scene.confinement or 0.0})
-    pairs = pairs_of(scene, specimen.blocks, compressions) if scene.is_large else None
     mesh, joints = meshed(scene, specimen.blocks, joints)
     if scene.is_large:  # cells of a unit share corners, and each goes its own way
         specimen = replace(specimen, blocks=with_own_points(specimen.blocks))
@@ -71,14 +88,24 @@ def assemble(scene: Scene) -> Assembly:
     materials = {g: material_of(scene, g) for g in blocks.groups}
     layout = lay_out(blocks, {g: scene.kinematics_of(g) for g in blocks.groups}, mesh)
     density = density_of(scene, specimen, joints, materials)
-    real = scene.solver.masses == "real"
-    moving_density = moving_density_of(scene, specimen, joints, density) if real else density
+    moving_density = moving_density_of(scene, specimen, joints, density)
+    return Fabric(specimen, joints, mesh, names, group, materials, layout, density, moving_density)
+
+
+def assemble(scene: Scene) -> Assembly:
+    """Build the model of a scene; raises SceneError or GeometryError with one clear message."""
+    fabric = fabric_of(scene)
+    specimen, joints, layout, density = fabric.specimen, fabric.joints, fabric.layout, fabric.density
+    blocks, mesh, names = specimen.blocks, fabric.mesh, fabric.contact_groups
+    compressions = sorted({0.0, scene.confinement or 0.0})
+    pairs = pairs_of(scene, blocks, compressions) if scene.is_large else None
+    moving_density = fabric.moving_density if scene.solver.masses == "real" else density
     conditions = _all_conditions(scene, specimen, joints, layout, density, moving_density)
-    drawn = _draws(scene, blocks, joints, names, group)
+    drawn = _draws(scene, blocks, joints, names, fabric.group)
     laws = _laws(scene, names, drawn, compressions)
     meetings = None if pairs is None else meetings_of(pairs, scene)
     stepping = _stepping(scene, mesh, meetings)
-    built = model.build(blocks, joints, materials, laws, stepping, conditions, layout, meetings, moving_density)
+    built = model.build(blocks, joints, fabric.materials, laws, stepping, conditions, layout, meetings, moving_density)
     plan = plan_of(scene, built.dt)
     if plan.moves_at_once:
         first = plan.factors_at(np.zeros(1))

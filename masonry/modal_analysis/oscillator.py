@@ -12,16 +12,15 @@ import numpy as np
 import scipy.sparse as sparse
 
 from geometry.blocks import Joints, Specimen
-from masonry.assembly.assemble import joined, material_of, meshed, require_contact_groups, require_groups
+from masonry.assembly.assemble import fabric_of
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of
-from masonry.assembly.masses import density_of, moving_density_of
 from masonry.laws.building import factory
 from masonry.laws.state import JointProperties
 from masonry.model.kinds import KIND
-from masonry.model.layout import DOFS, KINDS, Layout, lay_out, real_masses, tet_gradients, tet_volumes
+from masonry.model.layout import DOFS, KINDS, Layout, real_masses, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions, Load, add_gravity
-from masonry.model.model import side_of, sort_by_group
+from masonry.model.model import side_of
 from masonry.model.stable_step import BETWEEN, CHUNK, Side
 from masonry.scene import Scene
 
@@ -155,15 +154,9 @@ class Oscillator:
 
 def oscillator_of(scene: Scene) -> Oscillator:
     """Masses and stiffnesses of a scene; real masses, also where a run scales them. Raises SceneError."""
-    specimen, joints = joined(scene)
-    blocks = specimen.blocks
-    require_groups(scene, blocks.groups)
-    require_contact_groups(scene, specimen, joints)
-    mesh, joints = meshed(scene, blocks, joints)
-    names, group, joints = sort_by_group(blocks, joints)
-    materials = {name: material_of(scene, name) for name in blocks.groups}
-    layout = lay_out(blocks, {name: scene.kinematics_of(name) for name in blocks.groups}, mesh)
-    density = density_of(scene, specimen, joints, materials)
+    fabric = fabric_of(scene)
+    specimen, joints, layout, density = fabric.specimen, fabric.joints, fabric.layout, fabric.density
+    blocks, names, group, materials = specimen.blocks, fabric.contact_groups, fabric.group, fabric.materials
     conditions = conditions_of(scene.model_copy(update={"motion": ()}), specimen, layout, joints, density)
     properties = tuple(factory.made(name, scene.contact_of(name).properties(scene.turns_back))[1] for name in names)
     stiffness = np.array([(joint.normal_stiffness, joint.shear_stiffness) for joint in properties]).reshape(-1, 2)
@@ -179,7 +172,7 @@ def oscillator_of(scene: Scene) -> Oscillator:
         normal=stiffness[group, 0] * joints.area,
         shear=stiffness[group, 1] * joints.area,
         lame=lame[blocks.group],
-        mass=_flat(real_masses(layout, moving_density_of(scene, specimen, joints, density))),
+        mass=_flat(real_masses(layout, fabric.moving_density)),
         free=~_flat(conditions.supported),
         load=_dead_load(scene, layout, conditions, density),
     )
