@@ -56,9 +56,11 @@ class SharedLoads:
     def __init__(self, model: Model, stay: int = 0) -> None:
         """So many of them, the first, may `stay`: they act in full and vary no more."""
         self.model, self.parts = model, []
-        for kind, body in zip(("rigid", "affine", "tets"), model.bodies, strict=True):
-            if body is not None and body.change is not None:
-                each = [np.zeros(body.load.shape) if one[kind] is None else one[kind] for one in model.varying]
+        for part in parts_of(model):
+            body, rows = part.body, np.arange(len(part.body.v))
+            if body.change is not None:
+                loads = [one[part.name] for one in model.varying]
+                each = [np.zeros(body.load.shape) if load is None else part.load(rows, load) for load in loads]
                 at_once, vary = np.array(each[:stay]), np.array(each[stay:])
                 self.parts.append((body, body.load + at_once.sum(axis=0), vary))
         self.at_points = [

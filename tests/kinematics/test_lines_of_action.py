@@ -5,8 +5,10 @@ from functools import cache
 import numpy as np
 import pytest
 
+from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
+from masonry.loading.varying_loads import SharedLoads
 from masonry.results.data import ResultData
 from masonry.scene import Scene
 from tests.scenes import box, listed, load, specimen, tables
@@ -91,8 +93,6 @@ def test_a_load_with_a_history_of_ones_is_the_one_that_stays(line):
 
 def test_where_nothing_can_turn_nothing_is_computed_for_it():
     supports = [{"on": "slab", "fix": "all"}, {"on": "block", "fix": ["y", "rotation"]}]
-    from masonry.assembly.assemble import assemble
-
     assert assemble(pushed_over(MOVING, support=supports)).model.point_loads is None
     assert assemble(pushed_over(FIXED, support=supports)).model.point_loads is not None
 
@@ -114,7 +114,21 @@ def test_where_nothing_can_turn_nothing_is_computed_for_it():
     ],
 )
 def test_what_does_not_fit_is_refused(changes, message):
-    from masonry.assembly.assemble import assemble
-
     with pytest.raises(SceneError, match=message):
         assemble(pushed_over(FIXED, **{key.replace(".", "__"): value for key, value in changes.items()}))
+
+
+def test_the_moment_of_a_load_that_varies_is_about_the_same_axes_as_that_of_one_that_stays():
+    """On a block whose principal axes are not x, y, z."""
+    oblique = {
+        "specimen__turned": {"about": "z", "angle": "30 deg"},
+        "support": [{"on": "slab", "fix": "all"}],
+        "drive__on": "block",
+    }
+    push = {"on": "block.z+", "stress": {"x": "10 kPa"}}
+    dead = assemble(pushed_over("", pace="steps = 10", traction=[push], **oblique)).model
+    history = {"history": "1 + 0 * t / 1 s", "duration": "1e-4 s"}
+    varying = assemble(pushed_over("", pace="steps = 10", traction=[push | history], **oblique)).model
+    SharedLoads(varying).pass_over(np.ones(1), np.ones(1), 1)
+    assert varying.bodies.rigid.load == pytest.approx(dead.bodies.rigid.load, rel=1e-12, abs=1e-9)
+    assert abs(dead.bodies.rigid.load[1, 4]) > 100.0
