@@ -49,7 +49,7 @@ STEPS = {
     "wall-tilted": 81100,
     "wall-to-and-fro": 596450,
     "wall-with-window": 82351,
-    "wall-ws100": 70105,
+    "wall-ws100": 69021,
     "wallette-cyclic": 37049,
     "wallette-mode-1": 31918,
     "wallette-mode-1-218": 28775,

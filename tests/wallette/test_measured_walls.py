@@ -47,12 +47,17 @@ def test_a_wall_that_bends_bears_its_stress_block_and_what_was_measured(confinem
 
 
 @pytest.mark.slow
-def test_a_dry_wall_without_crushing_bears_what_limit_analysis_says():
-    scene = load("wall-ws100")
-    summary = laboratory.run(scene).summary
-    assert summary.peak_force_n == pytest.approx(masonry.limit(scene).factor, rel=0.02)
-    assert summary.beside_measured.stiffness_difference == pytest.approx(0.0, abs=0.15)
-    assert 0.0 < summary.beside_measured.peak_difference < 0.06, "the toe crushes, which rigid corners do not"
+def test_a_dry_wall_that_turns_about_its_corners_bears_what_limit_analysis_says():
+    scene = load("wall-ws100", {"specimen.patch_points_per_edge": 2})
+    assert laboratory.run(scene).summary.peak_force_n == pytest.approx(masonry.limit(scene).factor, rel=0.02)
+
+
+@pytest.mark.slow
+def test_a_dry_wall_on_a_toe_of_some_width_has_the_measured_curve():
+    beside = laboratory.run(load("wall-ws100")).summary.beside_measured
+    assert beside.farthest_apart < 0.08 and abs(beside.peak_difference) < 0.04
+    assert beside.stiffness_difference == pytest.approx(0.0, abs=0.1)
+    assert abs(beside.energy_difference) < 0.02
 
 
 def test_a_square_wall_on_its_corner_splits_and_has_the_numbers_of_the_standard():
