@@ -3,8 +3,12 @@
 import numpy as np
 
 from geometry.polyhedra import measures
+from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
+
+CRUSHED = 0.1
+"""Of the thinner of its two blocks: what a contact that crushed by more does not bear any longer falls through it."""
 
 
 class Openings(Observer):
@@ -15,11 +19,24 @@ class Openings(Observer):
         self.extent = thinner(model)
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        """Raise Stopped if a contact crushed by more than a tenth of a block."""
         opening = view.seen.opening
+        if model.state.crushed is not None:
+            self.require_a_joint(model, model.state.crushed[:, 0], step)
         return {
             "widest": float(opening.max(initial=0.0)),
             "overlap": float((-opening / self.extent).max(initial=0.0)),
         }
+
+    def require_a_joint(self, model: Model, closing: np.ndarray, step: int) -> None:
+        """Raise Stopped, naming the contact with the largest plastic closing (C,) m, where it is too large."""
+        share = closing / self.extent
+        worst = int(np.argmax(share))
+        if share[worst] > CRUSHED:
+            raise Stopped(
+                f"step {step}: {model.contact(worst)} has crushed by {closing[worst]:.3g} m, {share[worst]:.3g} of the "
+                "thinner of its blocks: what is left of its strength does not bear what presses it"
+            )
 
 
 def thinner(model: Model) -> np.ndarray:

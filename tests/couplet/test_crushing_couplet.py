@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import masonry
+from masonry.errors import Stopped
 
 STRENGTH, AT_PEAK, ENERGY, STIFFNESS = 11.0e6, 0.05e-3, 4000.0, 150e9
 PRESSED = {
@@ -67,3 +68,19 @@ def test_the_closing_is_kept_with_the_frames_and_drawn_as_crushed(pressed, tmp_p
     np.testing.assert_array_equal(frame.crushing, result.history.frames[-1].crushing)
     expected = np.abs(frame.displacement) + frame.normal_stress / STIFFNESS
     np.testing.assert_allclose(frame.crushing, expected, rtol=1e-6)
+
+
+def test_what_a_crushed_joint_does_not_bear_any_more_ends_the_run():
+    """Under a dead load of half the strength the cap softens below it by shear."""
+    changes = {
+        "confinement": "1.5 MPa",
+        "contact.unit_unit.crushing": "cap",
+        "contact.unit_unit.compressive_strength": "3 MPa",
+        "contact.unit_unit.fracture_energy_compression": "2 N/mm",
+        "contact.unit_unit.closing_at_peak": "0.05 mm",
+    }
+    with pytest.raises(Stopped, match="has crushed by") as stopped:
+        masonry.run(masonry.load("couplet", changes))
+    result = stopped.value.result
+    peak = np.sqrt((3.0e6**2 - 1.5e6**2) / 9.0)
+    assert result.verdict == "stopped" and result.peak.stress == pytest.approx(peak, rel=2e-3)
