@@ -34,16 +34,11 @@ def settle(near):
         if pairs.gained[p] < 0.0:
             losers[count] = p
             count += 1
-    for p in range(pairs.number[0]):
-        if pairs.gained[p] <= 0.0:
-            continue
-        for k in range(count if pairs.witness[p, 0] == FACE else 0):
-            q = losers[k]
-            if shares_face(pairs, p, q):
-                paid = min(pairs.gained[p], -pairs.gained[q])
-                pairs.gained[p] -= paid
-                pairs.gained[q] += paid
     if count > 0:
+        list_losers(pairs, near.search, count)
+        for p in range(pairs.number[0]):
+            if pairs.gained[p] > 0.0 and pairs.witness[p, 0] == FACE:
+                let_losers_pay(pairs, near.search, p)
         count_patches(pairs, near.search.patches)
     for p in range(pairs.number[0]):
         if pairs.gained[p] > 0.0 or (pairs.gained[p] < 0.0 and is_alone(pairs, near.search.patches, p)):
@@ -75,10 +70,32 @@ def is_alone(pairs, patches, p):
 
 
 @inner
-def shares_face(pairs, p, q):
-    """Whether one of the two faces of patch p was one of pair q before the last look."""
+def list_losers(pairs, search, count):
+    """A list for each face of the pairs on it, before the last look, that lost energy: `patches` has the first one of a
+    face, `candidates` the next one on either face of each; numbers in `losers`, rising, -1 behind the last."""
+    first, following = search.patches, search.candidates
+    first[:] = -1
+    for k in range(count - 1, -1, -1):
+        for side in range(2):
+            face = pairs.face[search.losers[k], side]
+            if face >= 0:
+                following[k, side] = first[face]
+                first[face] = k
+
+
+@inner
+def let_losers_pay(pairs, search, p):
+    """What patch p gained is paid by what others on its two faces lost, in the order of their numbers."""
     one, two = pairs.witness[p, 1], pairs.witness[p, 2]
-    return pairs.face[q, 0] == one or pairs.face[q, 0] == two or pairs.face[q, 1] == one or pairs.face[q, 1] == two
+    here, there = search.patches[one], search.patches[two]
+    while here >= 0 or there >= 0:
+        k = here if there < 0 or 0 <= here <= there else there
+        q = search.losers[k]
+        paid = min(pairs.gained[p], -pairs.gained[q])
+        pairs.gained[p] -= paid
+        pairs.gained[q] += paid
+        here = search.candidates[k, 0 if pairs.face[q, 0] == one else 1] if here == k else here
+        there = search.candidates[k, 0 if pairs.face[q, 0] == two else 1] if there == k else there
 
 
 @jit
