@@ -21,22 +21,25 @@ class Openings(Observer):
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise Stopped if a contact crushed by more than a tenth of a block."""
         opening = view.seen.opening
-        if model.state.crushed is not None:
-            self.require_a_joint(model, model.state.crushed[:, 0], step)
+        require_bearing(model, self.extent, step)
         return {
             "widest": float(opening.max(initial=0.0)),
             "overlap": float((-opening / self.extent).max(initial=0.0)),
         }
 
-    def require_a_joint(self, model: Model, closing: np.ndarray, step: int) -> None:
-        """Raise Stopped, naming the contact with the largest plastic closing (C,) m, where it is too large."""
-        share = closing / self.extent
-        worst = int(np.argmax(share))
-        if share[worst] > CRUSHED:
-            raise Stopped(
-                f"step {step}: {model.contact(worst)} has crushed by {closing[worst]:.3g} m, {share[worst]:.3g} of the "
-                "thinner of its blocks: what is left of its strength does not bear what presses it"
-            )
+
+def require_bearing(model: Model, extent: np.ndarray, step: int) -> None:
+    """Raise Stopped, naming the contact that crushed most, where that is too much; extent (C,) m as of `thinner`."""
+    crushed = model.state.crushed
+    if crushed is None:
+        return
+    share = crushed[:, 0] / extent
+    worst = int(np.argmax(share))
+    if share[worst] > CRUSHED:
+        raise Stopped(
+            f"step {step}: {model.contact(worst)} has crushed by {crushed[worst, 0]:.3g} m, {share[worst]:.3g} of the "
+            "thinner of its blocks: what is left of its strength does not bear what presses it"
+        )
 
 
 def thinner(model: Model) -> np.ndarray:
