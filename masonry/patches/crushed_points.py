@@ -5,9 +5,9 @@ from math import inf, sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inlined, inner
-from masonry.laws.compression_cap import return_to_cap
+from masonry.laws.compression_cap import is_within, return_to_cap
 from masonry.laws.state import ContactHistory, JointProperties
-from masonry.simd import FOUR, any_lane, filled, four, minimum, put, take, where
+from masonry.simd import FOUR, any_lane, filled, four, minimum, put, take, unless, where
 
 CLOSING, HARDENING, KEPT, CELL, ROWS = 0, 1, 2, 4, 6
 """Rows of PatchPoints.crushed: m, m; the same as the faces know them; the cells of both faces in which a point lies."""
@@ -122,8 +122,10 @@ def crush_by(joint, crushed, s, k, e, was, tau, sheared):
     closing = take(crushed, (s, k // FOUR, CLOSING, 0), four())
     hardening = take(crushed, (s, k // FOUR, HARDENING, 0), four())
     one, nothing, kn = filled(1.0, four()), filled(0.0, four()), joint.normal_stiffness
-    history = ContactHistory(one, one, nothing, nothing, None, None, None)
     sigma, sigma_was = kn * e, kn * was
+    if not any_lane(unless(one > 0.0, is_within(joint, hardening, sigma, tau * tau))):
+        return nothing, filled(inf, four()), nothing, nothing
+    history = ContactHistory(one, one, nothing, nothing, None, None, None)
     after = return_to_cap(joint, history, closing, hardening, e, sigma, tau, (sigma_was, sheared))
     crushes = after.hardening > hardening
     if not any_lane(crushes):
