@@ -25,7 +25,7 @@ def require_balance(summary):
     assert set(summary["reactions"]) == {"peak", "end"}
     assert summary["force_balance"] < 1e-12
     if summary["collapse_load"] is None:  # which ends in a fall
-        soft = summary["law"] == "friction" or summary["energy_j"]["crushing"] > 0.0
+        soft = summary["law"] == "friction" or summary["energy_j"].get("crushing", 0.0) > 0.0
         # what rocks on dry joints, or on toes at their strength, hardly has a stiffness that brings it to rest
         assert summary["motion_at_end"] < (1e-4 if soft else 1e-5)
 

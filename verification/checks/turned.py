@@ -123,12 +123,13 @@ class _Turned:
         return replace(specimen, blocks=blocks, sets=sets), find_joints(blocks, *points)
 
     def conditions(
-        self, scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, density: np.ndarray
+        self, scene: Scene, specimen: Specimen, layout: Layout, joints: Joints, density: np.ndarray, moving: np.ndarray
     ) -> loads.Conditions:
         """In place of `assemble.conditions_of`."""
         old, new = self._upright(layout), loads.no_conditions(layout)
+        upright = np.argsort(old.order)
         self.first = there = conditions.conditions_of(
-            self.scene, old.specimen, old.layout, old.joints, density[np.argsort(old.order)]
+            self.scene, old.specimen, old.layout, old.joints, density[upright], moving[upright]
         )
         new.prescribed, new.supported = self._mask(old, there.prescribed), self._mask(old, there.supported)
         new.held_by = {name: self._mask(old, mask) for name, mask in there.held_by.items()}
