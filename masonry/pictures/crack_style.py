@@ -18,7 +18,7 @@ KINDS = {"shear": ("Blues", "mostly shear"), "tension": ("Reds", "mostly tension
 """What a crack may be led by: its colours, and how that is said."""
 DRY = "#3a7d34"
 """The colour of joints without strength that slid or opened."""
-CRUSHED = "#6a3d9a"
+CRUSHED = "#d01c8b"
 """The colour of joints that crushed: they closed for good."""
 LEAST_OPENING = 1e-12
 """Openings (m) up to this one, far less than an atom, are but rounding."""
