@@ -101,7 +101,7 @@ def crack_lines(joints: Joints, frame: Frame, camera: Camera) -> CrackLines:
     begin[1:][same], finish[:-1][same] = between[same], between[same]
     centre = np.stack([mean(joints.point[seen, axis]) for axis in range(3)], axis=1)
     crushing = mean(crushed(frame)[seen].astype(float)) > 0.5
-    parted = mean(np.hypot(np.maximum(frame.opening[seen], 0.0), frame.slip[seen]))
+    parted = mean(frame.parted[seen])
     closing = mean(np.zeros(len(seen)) if frame.crushing is None else frame.crushing[seen])
     return CrackLines(
         start=centre + (begin - middle)[:, None] * along,

@@ -128,8 +128,7 @@ def joint_cracks(result: "ResultData", frame: Frame) -> JointCracks:
     dry = moved_undamaged(result, frame)
     crushing = crushed(frame)
     c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry | crushing)
-    moved = np.hypot(np.maximum(frame.opening, 0.0), frame.slip)
-    moved = moved if frame.crushing is None else np.where(crushing, frame.crushing, moved)
+    moved = frame.parted if frame.crushing is None else np.where(crushing, frame.crushing, frame.parted)
     led = frame.damage_tension[c] >= frame.damage_shear[c]
     return JointCracks(c, frame.damage[c], led, moved[c], dry[c], crushing[c])
 

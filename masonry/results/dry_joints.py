@@ -32,7 +32,7 @@ def crushed(frame: Frame) -> np.ndarray:
     """(C,) which contacts closed for good, by more than they opened or slid unless they have no damage."""
     if frame.crushing is None:
         return np.zeros(len(frame.opening), dtype=bool)
-    moved = np.hypot(np.maximum(frame.opening, 0.0), frame.slip)
+    moved = frame.parted
     largest = max(float(moved.max(initial=0.0)), float(frame.crushing.max(initial=0.0)))
     sound = frame.damage <= LEAST_DAMAGE
     return np.asarray((frame.crushing > max(FRACTION * largest, LEAST)) & (sound | (frame.crushing > moved)))
@@ -74,7 +74,7 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     open_for_good = np.maximum(frame.opening, 0.0) - np.maximum(frame.normal_stress, 0.0) / normal
     with np.errstate(invalid="ignore"):  # a frictionless glue has no shear stiffness and no shear stress
         slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
-    largest = float(np.hypot(np.maximum(frame.opening, 0.0), frame.slip).max(initial=0.0))
+    largest = float(frame.parted.max(initial=0.0))
     least = max(FRACTION * largest, LEAST)
     with np.errstate(invalid="ignore"):
         return open_for_good > least, slid_for_good > least

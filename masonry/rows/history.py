@@ -37,6 +37,11 @@ class Frame:
     crushing: np.ndarray | None = None
 
     @property
+    def parted(self) -> np.ndarray:
+        """(C,) m, how far the two faces moved apart or along each other."""
+        return np.asarray(np.hypot(np.maximum(self.opening, 0.0), self.slip))
+
+    @property
     def damage(self) -> np.ndarray:
         """(C,) combined damage."""
         return 1.0 - (1.0 - self.damage_tension) * (1.0 - self.damage_shear)
