@@ -33,14 +33,23 @@ def straight(monkeypatch):
     """A block that is not strained, pressed evenly on its slab."""
     monkeypatch.setattr(blocks, "STRAINED", np.eye(3))
     model = blocks.pressed(np.eye(3))
-    shear(model)[...] = SHEARED
+    shear_by(model, SHEARED)
     return model
 
 
+def four_points(model, rows: slice) -> np.ndarray:
+    """(4, rows) of the four points; they lie beside each other in memory, or one after another without lanes."""
+    return model.large.near.points.quads[slot(model), : 4 // FOUR, rows].transpose(0, 2, 1).reshape(4, -1)
+
+
 def shear(model) -> np.ndarray:
-    """(4, 3) Pa, a view of the tractions of the four points."""
-    assert FOUR == 4
-    return model.large.near.points.quads[slot(model), 0, SHEAR:].T
+    """(4, 3) Pa, the tractions of the four points."""
+    return four_points(model, slice(SHEAR, SHEAR + 3))
+
+
+def shear_by(model, tractions: np.ndarray) -> None:
+    """Give all four points these tractions (3,) in Pa."""
+    model.large.near.points.quads[slot(model), : 4 // FOUR, SHEAR : SHEAR + 3] = tractions[:, None]
 
 
 def slot(model) -> int:
@@ -100,7 +109,7 @@ def test_gaps_are_those_of_the_faces_as_they_deform_after_the_last_look(deforms)
     face = [centre[reference] + motion.frame[reference] @ (half * (x, y, 1)) for x, y in ((1, 1), (-1, 1), (-1, -1))]
     normal = np.cross(face[1] - face[0], face[2] - face[1])
     normal /= np.linalg.norm(normal)
-    places = near.points.quads[slot(model), 0, PLACE : PLACE + 3].T
+    places = four_points(model, slice(PLACE, PLACE + 3))
     wanted = [normal @ (centre[other] + motion.frame[other] @ place - face[0]) for place in places]
     gaps = [gap_of(near.pairs, near.points, motion, 0, k) for k in range(4)]
     assert gaps == pytest.approx(wanted, rel=1e-9, abs=1e-12)
@@ -131,7 +140,7 @@ def test_a_block_that_flies_off_spends_its_shear_and_lands_without_memory(straig
 def test_a_block_that_leaves_its_slab_while_it_is_pressed_leaves_both_energies_in_the_account(straight, shift, pairs):
     """Whether it is still near the slab, or so far that they are no pair any more."""
     shifted(straight, 1.9, 0.0, 0.0)
-    shear(straight)[...] = SHEARED
+    shear_by(straight, SHEARED)
     near, (pressed, sheared), free = straight.large.near, held(straight), straight.large.near.points.free[-1]
     before = near.account.copy()
     shifted(straight, shift, 0.0, 0.0)
@@ -146,11 +155,11 @@ def test_a_block_that_leaves_its_slab_while_it_is_pressed_leaves_both_energies_i
 def test_what_a_block_held_on_the_part_of_its_face_that_slides_off_is_lost_and_no_more(straight):
     """5 % of the face goes past the edge of the slab: as much of both energies, and the traction stays."""
     shifted(straight, 1.9, 0.0, 0.0)
-    shear(straight)[...] = SHEARED
+    shear_by(straight, SHEARED)
     near, (pressed, sheared) = straight.large.near, held(straight)
-    whole, before = near.points.quads[slot(straight), 0, AREA].sum(), near.account.copy()
+    whole, before = four_points(straight, slice(AREA, AREA + 1)).sum(), near.account.copy()
     shifted(straight, 0.01, 0.0, 0.0)
-    assert near.points.quads[slot(straight), 0, AREA].sum() == pytest.approx(0.95 * whole, rel=1e-6)
+    assert four_points(straight, slice(AREA, AREA + 1)).sum() == pytest.approx(0.95 * whole, rel=1e-6)
     np.testing.assert_allclose(shear(straight), np.tile(SHEARED, (4, 1)), rtol=1e-6)
     lost = near.account - before
     assert lost[SHEAR_LOST] == pytest.approx(0.05 * sheared, rel=1e-5)
