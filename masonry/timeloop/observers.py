@@ -8,6 +8,7 @@ from masonry.monitors.collisions.collision import Collision
 from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer
 from masonry.monitors.openings import Openings
+from masonry.monitors.pressed_patches import PressedPatches
 from masonry.monitors.reactions import WorkOfLoads
 from masonry.monitors.settling import Moving, Settling
 from masonry.monitors.shaking_watch import ShakingWatch
@@ -33,7 +34,8 @@ def large_looks(model: Model, recording: Recording) -> dict[str, Observer]:
     """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
     slide = {"slide": Slide(model, rollers=False)} if model.swept else {}
     deforms = {"deformation": LargestDeformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
-    return {**slide, "collapse": Collapse(model, recording.weight_when_shaken), **deforms}
+    collapse = Collapse(model, recording.weight_when_shaken)
+    return {**slide, "collapse": collapse, **deforms, "pressed_patches": PressedPatches(model)}
 
 
 def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:

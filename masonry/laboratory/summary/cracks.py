@@ -37,7 +37,7 @@ def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[Su
         mode_2_over_law=outcome.found["mode_2_over_law"],
         slip_max=float(observed["slip"].max()) if "slip" in observed else None,
         slip_limit=assembly.scene.solver.slip_limit,
-        compression_max_pa=float(pressed.max(initial=0.0)),
+        compression_max_pa=max(pressed.values(), default=0.0),
         unit_compression_max_pa=most_in_a_unit(assembly, outcome),
         compression_over_strength=over_strength(assembly, pressed),
     )
@@ -65,11 +65,14 @@ def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict
     }
 
 
-def compressions(assembly: Assembly, outcome: Outcome) -> np.ndarray:
-    """(C,) Pa, the largest compression of each contact at the rows; where patches took its place, at the frames."""
-    joints = outcome.found.get("compression", np.zeros(len(assembly.joints.area)))
-    pressed = [joints, *(-frame.normal_stress for frame in outcome.history.frames)]
-    return np.asarray(np.fmax.reduce(pressed))
+def compressions(assembly: Assembly, outcome: Outcome) -> dict[str, float]:
+    """Pa by contact group, the largest compression of a contact or of a point of patches at the rows."""
+    model, joints = assembly.model, outcome.found["compression"]
+    pressed = {name: float(joints[model.group == g].max(initial=0.0)) for g, name in enumerate(model.group_names)}
+    if assembly.pairs is not None:
+        for name, compression in zip(assembly.pairs.names, outcome.found["patch_compression"].tolist(), strict=True):
+            pressed[name] = max(pressed.get(name, 0.0), compression)
+    return pressed
 
 
 def most_in_a_unit(assembly: Assembly, outcome: Outcome) -> float:
@@ -84,14 +87,14 @@ def most_in_a_unit(assembly: Assembly, outcome: Outcome) -> float:
     return most
 
 
-def over_strength(assembly: Assembly, pressed: np.ndarray) -> float | None:
+def over_strength(assembly: Assembly, pressed: dict[str, float]) -> float | None:
     """The largest compression of a contact over its strength, of groups whose crushing is not modelled; None where
     these have no strength in compression."""
-    model, contacts = assembly.model, [assembly.scene.contact_of(name) for name in assembly.model.group_names]
+    contacts = {name: assembly.scene.contact_of(name) for name in pressed}
     shares = [
-        float(pressed[model.group == g].max(initial=0.0)) / strength
-        for g, contact in enumerate(contacts)
-        if (strength := contact.compressive_strength) and contact.crushing is None
+        pressed[name] / contact.compressive_strength
+        for name, contact in contacts.items()
+        if contact.compressive_strength and contact.crushing is None
     ]
     return max(shares, default=None)
 
