@@ -14,7 +14,9 @@ from masonry.laboratory import laboratory
 from masonry.scene import load as load_scene
 from masonry.timeloop.checkpoint import Checkpoints
 from masonry.timeloop.checkpointer import Checkpointer
+from tests.couplet.test_crushing_couplet import PRESSED
 from tests.kinematics.test_lines_of_action import FIXED, pushed_over
+from tests.large.by_hand.test_crushing_runs import CUT_OFF, rocking
 from tests.large.test_invariance import scene as toppling
 from tests.loading.test_swing import SCENE as SWING
 from tests.model.test_motion import GRAVITY, flight, standing
@@ -47,6 +49,23 @@ SHAKEN = {
     "ground.duration": "0.01 s",
 }
 DASHPOTS = '[damping]\nstiffness = "2e-5 s"\nmaxwell = {ratio = "5 %", between = ["1e2 Hz", "1e3 Hz"]}\n'
+CRUSHES = {
+    **PRESSED,
+    "contact.unit_unit.crushing": "cap",
+    "contact.unit_unit.closing_at_peak": "0.05 mm",
+    "drive.displacement": "0.3 mm",
+    "settle.steps": 300,
+    "solver.rows": 30,
+}
+WALL_THAT_CRUSHES = {
+    "specimen.courses": 3,
+    "specimen.units_per_course": 1.5,
+    "confinement": "2.5 MPa",
+    "settle.steps": 1000,
+    "drive.history": ["0.8 mm", "-0.4 mm"],
+    "drive.accuracy": "5 %",
+    "solver.rows": 30,
+}
 SCENES = {
     "rigid, steps": lambda: load(couplet("rigid", settle=400, pace="steps = 800", displacement="0.02 mm")),
     "tets, steps": lambda: load(couplet("tets", settle=400, pace="steps = 800", displacement="0.02 mm")),
@@ -76,6 +95,10 @@ SCENES = {
     "a wave that leaves through a quiet boundary": lambda: scene_runs.load(
         "stack", {"kinematics": "affine", "quiet": [{"on": "block 1.z+"}], **ELASTIC}
     ),
+    "a joint that crushes": lambda: load_scene("couplet", CRUSHES),
+    "bonds that turn with their blocks, and crush": lambda: load_scene("couplet", CRUSHES | {"displacements": "large"}),
+    "faces of patches that crush as a block rocks": lambda: rocking(CUT_OFF, 0.25),
+    "a wall whose toes crush to and fro": lambda: load_scene("wall-cyclic-shear", WALL_THAT_CRUSHES),
     "a wall that cracks": lambda: load_scene(
         "wallette-mode-1", ["specimen.divisions=[4, 2]", "drive.rate=50 mm/s", "solver.rows=60"]
     ),
@@ -124,6 +147,8 @@ def test_a_run_in_pieces_on_changing_threads_has_the_bits_of_the_run_in_one(name
     assert result.log[-1] == f"resumed at step {saved['run']['done']}"
     bits = everything(result)
     assert not [key for key in whole if whole[key] != bits[key]]
+    if "crush" in name:
+        assert 0.0 < saved["run"]["rows"]["crushing"][-1] < result.history.rows["crushing"][-1]
 
 
 @pytest.mark.parametrize("name", ["rigid, steps", "affine, accuracy", "tets, accuracy"])
