@@ -12,7 +12,7 @@
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
 
     from masonry.comparison.sensitivity import Sensitivity
@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from masonry.limit_analysis.limit_result import LimitResult
     from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene import Scene
+
+    SceneLike = Scene | str | Path | Mapping[str, Any]
 
 __version__ = "0.1.0"
 
@@ -36,22 +38,29 @@ def scenes() -> dict[str, str]:
     return titles()
 
 
-def load(scene: "str | Path", overrides: Any = ()) -> "Scene":
-    """The scene of a file or of a packaged name; overrides by dotted key, see `Scene.with_`. Raises SceneError.
+def load(scene: "str | Path | Mapping[str, Any]", overrides: Any = ()) -> "Scene":
+    """The scene of a file, a packaged name or a dictionary of its tables; overrides by dotted key, see `Scene.with_`.
+
+    The specimen of a dictionary may be blocks: a `Specimen` or `Blocks` of `geometry`, a list of (vertices, faces) in
+    m, or a table with such `blocks` and with names, groups, units, tolerance, open_gaps as in `write_blocks`. They
+    become part of the scene. Raises SceneError or GeometryError.
 
     >>> scene = masonry.load("couplet", {"contact.unit_unit.cohesion": "0.6 MPa"})
     >>> scene.contact["unit_unit"].cohesion  # Pa, as all that a scene holds is in SI
     600000.0
+    >>> thick = masonry.load({"base": "arch-tilted", "specimen": {"thickness": "0.25 m"}})
+    >>> print(f"{masonry.limit(thick).factor:.3f}, {masonry.limit('arch-tilted').factor:.3f}")
+    0.684, 0.374
     """
     from masonry.scene import load as load_scene
 
-    return load_scene(scene, overrides)
+    return load_scene(_packed(scene), _packed(overrides))
 
 
-def check(scene: "Scene | str | Path") -> "Report":
+def check(scene: "SceneLike") -> "Report":
     """What a scene would run, without running it: sizes, time step, expected seconds, what is not compiled, warnings.
 
-    scene  a scene, a file of one, or the name of a packaged one
+    scene  a scene, a file of one, the name of a packaged one, or a dictionary
     A dictionary that prints as `masonry check` does. Raises SceneError or GeometryError.
 
     >>> report = masonry.check("couplet")
@@ -66,11 +75,11 @@ def check(scene: "Scene | str | Path") -> "Report":
 
 
 def run(
-    scene: "Scene | str | Path", threads: int = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
+    scene: "SceneLike", threads: int = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
 ) -> "Result":
     """Run a scene to its end. Raises SceneError or GeometryError before it starts, Stopped if it runs away.
 
-    scene     a scene, a file of one, or the name of a packaged one
+    scene     a scene, a file of one, the name of a packaged one, or a dictionary
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
 
@@ -96,7 +105,7 @@ def run(
 
 
 def limit(
-    scene: "Scene | str | Path",
+    scene: "SceneLike",
     *,
     dilation: bool = True,
     strength: bool = True,
@@ -108,7 +117,7 @@ def limit(
 ) -> "LimitResult":
     """The largest factor of a load that forces in the joints of a scene can balance: its limit analysis.
 
-    scene     a scene, a file of one, or the name of a packaged one; its table [limit] says what grows
+    scene     a scene, a file of one, the name of a packaged one, or a dictionary; [limit] says what grows
     dilation  False: friction without dilation, as joints of one stiffness come to it from the dead loads: no bound
     strength  False: cohesion and tension are left out
     safety    the factor of safety on friction and cohesion in place of the load factor, at the load factor `at`
@@ -140,7 +149,7 @@ def limit(
 
 
 def modes(
-    scene: "Scene | str | Path",
+    scene: "SceneLike",
     count: int = 6,
     *,
     pressed: bool = False,
@@ -149,7 +158,7 @@ def modes(
 ) -> "ModesResult":
     """The slowest modes of a scene: frequencies, shapes and effective masses, from the tangent stiffness of its joints.
 
-    scene    a scene, a file of one, or the name of a packaged one; its supports hold, its masses are the real ones
+    scene    a scene, a file of one, the name of a packaged one, or a dictionary; supports hold, masses are real
     count    of modes, 1 to 200
     pressed  True: only the joints that press under the dead loads are closed, in place of all
     ratio    of Rayleigh damping, which has it at the modes `between`, the first and the third unless they are named
@@ -175,7 +184,7 @@ def modes(
 
 
 def sensitivity(
-    scene: "Scene | str | Path",
+    scene: "SceneLike",
     out: "str | Path | None" = None,
     only: "Sequence[str]" = (),
     quick: bool = False,
@@ -184,7 +193,7 @@ def sensitivity(
 ) -> "Sensitivity":
     """Run a scene with other damping, pace, coupling, kinematics, unloading, plates, cells and seeds, side by side.
 
-    scene    a scene, a file of one, or the name of a packaged one
+    scene    a scene, a file of one, the name of a packaged one, or a dictionary
     out      folder of results; without it the next free results/SCENE-sensitivity-N
     only     kinds of variants; all that make sense for the scene where none is named
     quick    one variant of each kind, and none of the slow kinds
@@ -258,8 +267,17 @@ def write_blocks(
     return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
 
 
-def _scene(scene: "Scene | str | Path") -> "Scene":
-    """A scene as it is, else the one of that file or packaged name. Raises SceneError."""
+def _packed(tables: Any) -> Any:
+    """Tables of a scene with a specimen that was handed over as text, and whatever else as it is."""
+    if not hasattr(tables, "keys") or "specimen" not in tables:
+        return tables
+    from masonry.importing.handed_blocks import with_packed_blocks
+
+    return with_packed_blocks(tables)
+
+
+def _scene(scene: "SceneLike") -> "Scene":
+    """A scene as it is, else the one of that file, packaged name or dictionary. Raises SceneError."""
     from masonry.scene import Scene
 
     return scene if isinstance(scene, Scene) else load(scene)

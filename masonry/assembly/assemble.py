@@ -206,10 +206,10 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     if not wanted.any():
         return None, joints
     spec = scene.specimen
-    if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec.path)[1]) is not None:
+    if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec)[1]) is not None:
         from geometry.meshes.nonmatching import surface_joints
 
-        own = mesh_by_place(own, blocks_from(spec.path)[0].blocks) if scene.is_large else own
+        own = mesh_by_place(own, blocks_from(spec)[0].blocks) if scene.is_large else own
         own = with_empty_blocks(replace(own, nodes=as_turned(scene, own.nodes)), blocks)
         mesh = within(own, wanted)
         if np.all(wanted == (np.diff(mesh.tet_start) > 0)):

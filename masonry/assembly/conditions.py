@@ -18,6 +18,7 @@ from masonry.quantity import parse
 from masonry.scene import Scene
 from masonry.scene.tables.dynamics.quiet_boundary import QuietBoundary
 from masonry.scene.tables.loads_and_supports import Drive
+from masonry.scene.tables.types import ALSO
 
 AXES = {"x": 0, "y": 1, "z": 2}
 PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
@@ -234,8 +235,11 @@ def _add(masks: dict[str, np.ndarray], more: dict[str, np.ndarray]) -> None:
 
 
 def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[np.ndarray, np.ndarray | None]:
-    """Blocks of a selector, and its faces if it names some: "top", "top.z+", "z = 0 mm", "blocks at z = 0 mm"."""
+    """Blocks of a selector, and its faces if it names some: "top", "top.z+", "z = 0 mm", "blocks at z = 0 mm"; of
+    several together, "left + right", those of each."""
     name, face = word, None
+    if word not in specimen.sets and ALSO in word:
+        return _each_of([select(specimen, joints, part, where) for part in word.split(ALSO)], f"{where} = '{word}'")
     if word not in specimen.sets and (plane := PLANE.fullmatch(word)):
         return _in_plane(specimen, joints, plane, f"{where} = '{word}'")
     if word not in specimen.sets and word[-1:] in "+-" and "." in word:
@@ -250,6 +254,15 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
         return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
     except GeometryError as error:
         raise SceneError(f"{where} = '{word}': {error}") from None
+
+
+def _each_of(parts: list[tuple[np.ndarray, np.ndarray | None]], where: str) -> tuple[np.ndarray, np.ndarray | None]:
+    """What several selectors choose together, each block and each face once."""
+    faces = [part for _, part in parts if part is not None]
+    if faces and len(faces) < len(parts):
+        raise SceneError(f"{where}: names whole blocks and faces; name sets only, or a face of each")
+    chosen = np.unique(np.concatenate([blocks for blocks, _ in parts]))
+    return chosen, np.unique(np.concatenate(faces)) if faces else None
 
 
 def _in_plane(

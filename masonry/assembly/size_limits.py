@@ -37,7 +37,7 @@ def require_sane_size(scene: Scene) -> None:
 def blocks_and_volume(spec: Any) -> tuple[float, float]:
     """About how many blocks a specimen has, and the volume (m3) of its units."""
     if spec.kind == "file":
-        blocks = blocks_from(spec.path)[0].blocks
+        blocks = blocks_from(spec)[0].blocks
         volume = float(volumes(blocks).sum())
         if spec.is_divided:
             depth = float(np.ptp(blocks.points[:, 1])) if blocks.count else 0.0

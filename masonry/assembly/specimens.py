@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Specimen, TetMesh
+from geometry.blocks import GeometryError, Specimen, TetMesh
 from geometry.cells.request import CellRequest
 from geometry.files.blocks_h5 import load_blocks
+from geometry.files.blocks_text import blocks_of_text
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
 from geometry.specimens.numbered import numbered_by_place
@@ -47,7 +48,7 @@ STRUCTURES: dict[str, Callable[..., Specimen]] = {
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
     section = scene.specimen.section
-    if scene.specimen.kind == "file" and blocks_from(scene.specimen.path)[0].joints is not None:
+    if scene.specimen.kind == "file" and blocks_from(scene.specimen)[0].joints is not None:
         _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
     specimen = _specimen_of(scene)
     specimen = specimen if section is None else replace(specimen, section=section)
@@ -152,7 +153,7 @@ def _require_what_goes_with_gaps(scene: Scene, is_divided: bool) -> None:
 
 
 def _of_file(spec: Any) -> Specimen:
-    return _divided(blocks_from(spec.path)[0], spec)
+    return _divided(blocks_from(spec)[0], spec)
 
 
 def _divided(specimen: Specimen, spec: Any) -> Specimen:
@@ -177,8 +178,12 @@ def _cells(cells: CellsTable) -> CellRequest:
     return CellRequest(**sizes, space=cells.form == "space", laguerre=cells.kind == "laguerre")
 
 
-def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:
-    """Blocks and sets of the file, and the tets if it holds any. Raises SceneError or GeometryError."""
+def blocks_from(spec: Any) -> tuple[Specimen, TetMesh | None]:
+    """Blocks and sets of the file that a specimen names or holds, and the tets if there are any. Raises SceneError or
+    GeometryError."""
+    if spec.content is not None:
+        return _unpacked(spec.content)
+    path = spec.path
     try:
         state = Path(path).stat()
     except (OSError, ValueError) as error:
@@ -188,6 +193,14 @@ def blocks_from(path: str) -> tuple[Specimen, TetMesh | None]:
             "`masonry.write_blocks` write such files"
         ) from None
     return _read(path, state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=2)
+def _unpacked(content: str) -> tuple[Specimen, TetMesh | None]:
+    try:
+        return blocks_of_text(content)
+    except GeometryError as error:
+        raise SceneError(f"specimen.content: {error}") from None
 
 
 @lru_cache(maxsize=2)

@@ -10,6 +10,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.errors import SceneError, nearest
 from masonry.laboratory.cost import expected
 from masonry.scene import Scene
+from masonry.scene.tables.types import ALSO
 
 FINER, LEAST = 3.0, 1e-4
 """How many times finer an accuracy is made, and the finest that there is."""
@@ -129,7 +130,8 @@ def _loose_groups(assembly: Assembly) -> list[str]:
     scene, specimen = assembly.scene, assembly.specimen
     blocks = specimen.blocks
     held = np.zeros(blocks.count, dtype=bool)
-    for name in [s.on for s in scene.support] + ([scene.drive.on] if scene.drive else []):
+    selectors = [s.on for s in scene.support] + ([scene.drive.on] if scene.drive else [])
+    for name in (name for selector in selectors for name in selector.split(ALSO)):
         held[specimen.sets.get(name, np.zeros(0, dtype=np.int64))] = True
     groups = [(g, name) for g, name in enumerate(blocks.groups) if not scene.is_floor(name)]
     loose = [name for g, name in groups if not held[blocks.group == g].all()]

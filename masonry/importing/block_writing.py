@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,22 @@ def write_blocks(
     path = Path(path)
     if not path.name.endswith(SUFFIX):
         raise SceneError(f"'{path}': the name of a file of blocks ends in {SUFFIX}")
+    area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
+    specimen = specimen_of_bodies(blocks, names, groups, units, tolerance, open_gaps)
+    save_blocks(path, specimen if area is None else replace(specimen, section=area))
+    return path
+
+
+def specimen_of_bodies(
+    blocks: Sequence[Any],
+    names: Sequence[str] | None = None,
+    groups: str | Sequence[str] = "units",
+    units: Sequence[int] | None = None,
+    tolerance: str = "0.1 mm",
+    open_gaps: bool = False,
+) -> Specimen:
+    """Bodies of vertices and faces as a specimen, mended, with its sets; the words are those of
+    `masonry.write_blocks`. Raises SceneError or GeometryError."""
     solids = [_arrays(block, b) for b, block in enumerate(blocks)]
     named = _for_each(names, len(solids), "names", str, "") if names is not None else [""] * len(solids)
     called = [f"{name} (block {b})" if name else f"block {b}" for b, name in enumerate(named)]
@@ -49,15 +66,13 @@ def write_blocks(
         if not 0 <= unit <= LARGEST:
             raise SceneError(f"units: {unit} is no number of a unit; allowed: 0 to {LARGEST}")
     width = parse(tolerance, "length", "tolerance", "[1e-9, 1]")
-    area = None if section is None else parse(section, "area", "section", f"[{SECTIONS[0]}, {SECTIONS[1]}]")
     build = partial(polyhedra, solids, called, of_unit, of_group)
     mended = _mended(build, ImportSettings(tolerance=width, open_gaps=open_gaps), called)
     sound = mended.blocks
     require_sound(sound)
     _require_own_names(sound, named)
     left = mended.deepest
-    save_blocks(path, Specimen(sound, sets_of(sound, named), section_of(sound, area), "file", overlap=left))
-    return path
+    return Specimen(sound, sets_of(sound, named), section_of(sound, None), "file", overlap=left)
 
 
 def _require_own_names(blocks: Blocks, names: Sequence[str]) -> None:

@@ -15,7 +15,7 @@ from masonry.scene.messages import explain
 from masonry.scene.overrides import Overrides, apply
 from masonry.scene.portrait import portrait_html, portrait_text
 from masonry.scene.schema import SceneData
-from masonry.scene.source import Source, packaged, read, titles
+from masonry.scene.source import Source, of_tables, packaged, read, titles
 from masonry.scene.tables.law_keys import law_there
 from masonry.scene.unit_weights import note_unit_weights
 
@@ -48,15 +48,23 @@ class Scene(SceneData):
         return portrait_html(self)
 
 
-def load(path_or_name: str | Path, overrides: Overrides = ()) -> Scene:
-    """The scene of a file, or of a packaged name such as "couplet".
+def load(scene: str | Path | Mapping[str, Any], overrides: Overrides = ()) -> Scene:
+    """The scene of a file, of a packaged name such as "couplet", or of a dictionary: its tables, as a file has them,
+    and dotted keys.
 
     overrides  {"law": "linear", "drive.steps": 5000} or ["law=linear", "drive.steps=5000"], by dotted key
     Raises SceneError: one message with file and line, key, what is wrong, and what is allowed.
     """
-    if not isinstance(path_or_name, str | os.PathLike) or not isinstance(os.fspath(path_or_name), str):
-        raise SceneError(f"{path_or_name!r:.60} is no scene: give the name of a packaged one, or the path of a file")
-    source = read(path_or_name if isinstance(path_or_name, str) else Path(path_or_name))
+    if isinstance(scene, Mapping):
+        dotted = {key: value for key, value in scene.items() if isinstance(key, str) and "." in key}
+        source = of_tables({key: value for key, value in scene.items() if key not in dotted})
+        apply(source, dotted)
+    elif isinstance(scene, str | os.PathLike) and isinstance(os.fspath(scene), str):
+        source = read(scene if isinstance(scene, str) else Path(scene))
+    else:
+        raise SceneError(
+            f"{scene!r:.60} is no scene: give the name of a packaged one, the path of a file, or its tables"
+        )
     apply(source, overrides)
     return _checked(source)
 

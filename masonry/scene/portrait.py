@@ -23,7 +23,7 @@ def portrait_rows(scene: SceneData) -> Rows:
     """A word and its lines, for each part that the scene has."""
     tables = scene.resolved()
     rows = [
-        ("specimen", [_words(scene.specimen.model_dump(exclude_defaults=True))]),
+        ("specimen", [_words(scene.specimen.model_dump(exclude_defaults=True, exclude={"content"}))]),
         ("kinematics", [_words(tables["kinematics"])]),
         ("materials", [f"{group}: {_words(values)}" for group, values in tables["material"].items()]),
         ("contacts", [_contact(scene, group, values) for group, values in tables["contact"].items()]),

@@ -1,6 +1,8 @@
 """Where a scene's raw values come from: a file or a packaged scene, and the line of every key in it."""
 
+import os
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.resources import files
@@ -9,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, closest
-from masonry.runtime.text_files import decoded, toml_of
+from masonry.runtime.text_files import NESTED, decoded, toml_of
 from masonry.scene.lines import line_numbers
-from masonry.scene.variant import Keys, overlay
+from masonry.scene.variant import Keys, leaves, overlay
 
-LARGEST = 5_000_000
+LARGEST = 20_000_000
+"""Bytes of a scene; most of a large one are its blocks."""
 DEEPEST = 8
 """Scenes that may stand one on top of the other."""
 
@@ -22,7 +25,8 @@ DEEPEST = 8
 class Source:
     """Raw values of a scene before they are checked, and where each one stands.
 
-    overridden  path: how its new value was given, "--set law" or "law"
+    file        "" where the values were handed over as a dictionary: a message then names the key alone
+    overridden  path: how its new value was given, "--set law" or "law"; "" where the key itself says it
     """
 
     file: str
@@ -40,11 +44,11 @@ class Source:
         """`--set key` (`key` from Python), or file and line of the key or of the nearest table above it."""
         for n in range(len(path), 0, -1):
             if path[:n] in self.overridden:
-                return self.overridden[path[:n]]
+                return self.overridden[path[:n]] or ".".join(map(str, path))
         for n in range(len(path), 0, -1):
             if line := self._line(path[:n]):
                 return line
-        return self.file
+        return self.file or ".".join(map(str, path)) or "the scene"
 
     def _line(self, path: Keys) -> str | None:
         """File and line of just this key, here or in the scene below."""
@@ -77,10 +81,45 @@ def read(scene: str | Path, above: tuple[str, ...] = (), typed: str | None = Non
     text = _text(file, name, known, str(scene) if typed is None else typed)
     stem = name.replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".toml")
     source = Source(name, stem, text, toml_of(text, name))
+    return _on_its_base(source, file, (*above, name))
+
+
+def of_tables(tables: Mapping[str, Any]) -> Source:
+    """The raw scene of a dictionary, with tables and values as a file has them; files that it names are looked for from
+    the folder where one stands. Raises SceneError, with the key, for what no file could hold."""
+    if not tables:
+        raise SceneError("{} is no scene: give the name of a packaged one, the path of a file, or its tables")
+    raw = _plain(tables)
+    return _on_its_base(Source("", "scene", "", raw, overridden=dict.fromkeys(leaves(raw), "")), Path("scene.toml"), ())
+
+
+def _plain(value: Any, path: str = "", depth: int = 0) -> Any:
+    """A value as TOML has it: numbers of numpy become numbers, arrays and tuples lists, paths texts."""
+    if depth > NESTED:
+        raise SceneError(f"{path[:80]}: tables nested too deeply")
+    if isinstance(value, Mapping):
+        for key in value:
+            if not isinstance(key, str):
+                raise SceneError(f"{path or 'the scene'}: {key!r:.60} is no key: keys are texts")
+        return {key: _plain(below, f"{path}.{key}" if path else key, depth + 1) for key, below in value.items()}
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(below, f"{path}.{n}", depth + 1) for n, below in enumerate(value)]
+    if isinstance(value, os.PathLike):
+        return str(value)
+    if value is None or not isinstance(value, str | bool | int | float):
+        hint = "leave the key out" if value is None else "give a number, a text such as '0.5 MPa', a list or a table"
+        raise SceneError(f"{path}: {value!r:.60} is no value of a scene; {hint}")
+    return value
+
+
+def _on_its_base(source: Source, file: Traversable, above: tuple[str, ...]) -> Source:
+    """A scene on top of the one that its `base` names, if it does."""
     _anchor(source.raw, file)
     base = source.raw.pop("base", None)
     if base is not None:
-        source.base = _below(source, base, file, (*above, name))
+        source.base = _below(source, base, file, above)
         source.raw = overlay({key: value for key, value in source.base.raw.items() if key != "name"}, source.raw)
     return source
 
@@ -100,7 +139,7 @@ def _anchor(raw: dict[str, Any], file: Traversable) -> None:
 
 def _below(source: Source, base: Any, file: Traversable, above: tuple[str, ...]) -> Source:
     """The scene that `base` names: a packaged one, or a file beside this one."""
-    where = f"{source.place(('base',))}: base"
+    where = f"{source.place(('base',))}: base" if source.file else "base"
     if not isinstance(base, str) or not base:
         raise SceneError(f"{where}: must be the name of a packaged scene or a file, not {base!r:.60}")
     if len(above) > DEEPEST:
@@ -132,7 +171,7 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable], typed: st
             raise
         raise SceneError(f"{shown} cannot be read: {getattr(error, 'strerror', None) or error}") from None
     if len(data) > LARGEST:
-        raise SceneError(f"{shown} is larger than {LARGEST // 1_000_000} MB; a scene file holds a few kB of text")
+        raise SceneError(f"{shown} is larger than {LARGEST // 1_000_000} MB; blocks make a scene large")
     return decoded(data, name)
 
 

@@ -29,7 +29,7 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
     if _kind(above) not in (None, _kind(below)):
         merged.pop("specimen", None)
         _forget(merged, ("specimen",), ())
-    paths = list(_leaves(above))
+    paths = list(leaves(above))
     _put(merged, above)
     keys = {path[:n] for path in paths for n in range(1, len(path) + 1)}
     for path in paths:
@@ -85,11 +85,11 @@ def _put(table: dict[str, Any], above: dict[str, Any]) -> None:
             table[key] = deepcopy(value)
 
 
-def _leaves(table: dict[str, Any], path: Keys = ()) -> Iterator[Keys]:
+def leaves(table: dict[str, Any], path: Keys = ()) -> Iterator[Keys]:
     """The path of every value that is not a table."""
     for key, value in table.items():
         if isinstance(value, dict) and value:
-            yield from _leaves(value, (*path, key))
+            yield from leaves(value, (*path, key))
         else:
             yield (*path, key)
 

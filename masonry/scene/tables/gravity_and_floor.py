@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, model_validator
 from masonry.quantity import KINDS
 from masonry.scene.tables import load_history as histories
 from masonry.scene.tables.load_history import Timed
-from masonry.scene.tables.loads_and_supports import LoadHistory, Selector
+from masonry.scene.tables.loads_and_supports import LoadHistory
 from masonry.scene.tables.types import (
     Acceleration,
     Duration,
@@ -16,6 +16,7 @@ from masonry.scene.tables.types import (
     KeyedError,
     Length,
     Position,
+    Selector,
     SignedAngle,
     Steps,
     Table,

@@ -6,8 +6,8 @@ from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
 from masonry.scene.tables.gravity_and_floor import Coordinate
 from masonry.scene.tables.load_history import read_factors
-from masonry.scene.tables.loads_and_supports import Accuracy, Selector
-from masonry.scene.tables.types import Direction, Given, KeyedError, StressVector, Table
+from masonry.scene.tables.loads_and_supports import Accuracy
+from masonry.scene.tables.types import Direction, Given, KeyedError, Selector, StressVector, Table
 
 Force = Annotated[float, Given("force", "[-1e15, 1e15]")]
 KEYS = {

@@ -21,6 +21,7 @@ from masonry.scene.tables.types import (
     Length,
     Position,
     Rows,
+    Selector,
     Skin,
     Steps,
     StressVector,
@@ -29,7 +30,6 @@ from masonry.scene.tables.types import (
     Velocity,
 )
 
-Selector = Annotated[str, Field(min_length=1)]
 BOUNDS = ("gershgorin", "equation-11")
 
 

@@ -121,10 +121,22 @@ def _absolute(path: str) -> str:
 
 
 class FileSpec(SpecimenTable, Divided):
-    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote; the units among them may be divided."""
+    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote, or such a file within the scene, as
+    text; the units among them may be divided."""
 
     kind: Literal["file"]
-    path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)]
+    path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)] | None = None
+    content: Annotated[str, Field(min_length=1)] | None = None
+
+    @model_validator(mode="after")
+    def _names_its_blocks_once(self) -> "FileSpec":
+        if self.path is None and self.content is None:
+            raise KeyedError(
+                "path", "missing; the file of blocks, which `masonry import` or masonry.write_blocks wrote"
+            )
+        if self.path is not None and self.content is not None:
+            raise KeyedError("content", "path and content exclude each other; keep one of them")
+        return self
 
 
 Specimen = Annotated[

@@ -7,6 +7,7 @@ from pydantic import (
     BaseModel,
     BeforeValidator,
     ConfigDict,
+    Field,
     GetCoreSchemaHandler,
     PlainSerializer,
     SerializationInfo,
@@ -37,6 +38,8 @@ Direction = Literal["x", "y", "z", "-x", "-y", "-z"]
 SOFTEST = 1e-6
 """Pa/m, the least stiffness of a joint that is not 0."""
 CONFINEMENT = {"confinement": 1.0, "-confinement": -1.0}
+ALSO = " + "
+"""Between the sets of a selector that names several."""
 
 
 class KeyedError(ValueError):
@@ -117,6 +120,16 @@ def _halves(value: Any, info: ValidationInfo) -> float:
     return int(number) if number.is_integer() else number
 
 
+def _of_several(value: Any) -> Any:
+    """One selector; of a list of them one text, such as "left plate + right plate"."""
+    if not isinstance(value, list | tuple):
+        return value
+    if not value or not all(isinstance(word, str) and word.strip() for word in value):
+        raise ValueError("must be the name of a set, or a list of names such as ['left plate', 'right plate']")
+    return ALSO.join(value)
+
+
+Selector = Annotated[str, BeforeValidator(_of_several), Field(min_length=1)]
 Length = Annotated[float, Given("length", "[1e-9, 1e5]")]
 Gap = Annotated[float, Given("length", "[0, 1e5]")]
 Position = Annotated[float, Given("length", "[-1e5, 1e5]")]

@@ -3,8 +3,7 @@
 from typing import Annotated
 
 from masonry.scene.tables.gravity_and_floor import Coordinate
-from masonry.scene.tables.loads_and_supports import Selector
-from masonry.scene.tables.types import Given, Table
+from masonry.scene.tables.types import Given, Selector, Table
 
 
 class AddedMass(Table):

@@ -14,7 +14,7 @@ from masonry.scene.tables import expression
 from masonry.scene.tables.dynamics.acceleration_in_g import AccelerationInG
 from masonry.scene.tables.dynamics.made_record import COMPONENTS, MadeGround
 from masonry.scene.tables.gravity_and_floor import with_unit
-from masonry.scene.tables.types import Duration, Given, KeyedError, Table
+from masonry.scene.tables.types import Duration, Given, KeyedError, Selector, Table
 
 AXES = "xyz"
 STILL = 1e-9
@@ -50,7 +50,7 @@ class Ground(_HasAs):
     peak: AccelerationInG | None = None
     begin: Annotated[float, Given("time", "[0, 1e6]"), with_unit("time")] = 0.0
     baseline: Literal["none", "linear"] = "none"
-    on: Annotated[str, Field(min_length=1)] | None = None
+    on: Selector | None = None
 
     @property
     def moves_supports(self) -> bool:

@@ -5,8 +5,7 @@ from typing import Annotated, ClassVar
 from pydantic import model_validator
 
 from masonry.scene.tables.dynamics.ground import Ground
-from masonry.scene.tables.loads_and_supports import Selector
-from masonry.scene.tables.types import Density, Given, KeyedError, Table
+from masonry.scene.tables.types import Density, Given, KeyedError, Selector, Table
 
 WaveSpeed = Annotated[float, Given("velocity", "(0, 1e5]")]
 
