@@ -201,10 +201,10 @@ def _each_ground(scene: Any) -> None:
 
 
 def _damping(scene: Any) -> None:
-    """Mass damping brakes motion relative to the ground; a drive, and supports that move, carry the specimen along."""
-    if not scene.damping.mass_rate:
+    """What brakes motion relative to the ground; a drive, and supports that move, carry the specimen along."""
+    if scene.damping.brakes_all is None:
         return
-    key = "damping.rayleigh" if scene.damping.mass is None else "damping.mass"
+    key = f"damping.{scene.damping.brakes_all}"
     if scene.drive is not None:
         raise KeyedError(key, "brakes motion relative to the ground, not to a drive: give a [ground] instead")
     if scene.moved_grounds:

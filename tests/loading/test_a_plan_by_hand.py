@@ -8,6 +8,7 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
 from masonry.laboratory.cost import expected
+from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.summary.run_summary import summarise
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan
@@ -82,6 +83,7 @@ def test_a_load_is_raised_stage_by_stage_and_all_that_is_said_of_a_run_is_said_o
     assert outcome.steps == expected(assembly).steps and not outcome.stopped
     assert outcome.history.rows[FACTOR][-1] == 0.3
     assert summary.control == {} and summary.collapse_load is None
+    assert Inspection(assembly, outcome).peak == len(outcome.history.frames) - 1
     reaction = outcome.standing["end"].reactions.sum(axis=0)
     assert abs(reaction[0]) == pytest.approx(0.3 * abs(reaction[2]), rel=1e-3)
 

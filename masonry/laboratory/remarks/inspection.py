@@ -45,9 +45,8 @@ class Inspection:
         steps, rows = [frame.step for frame in self.frames], outcome.standing_rows
         if self.assembly.scene.drive is not None and "peak" in outcome.standing:
             step = outcome.standing["peak"].step
-        elif FACTOR in rows:
-            borne = rows[FACTOR] <= outcome.loading.borne
-            step = int(rows["step"][np.argmax(np.where(borne, rows[FACTOR], -np.inf))])
+        elif FACTOR in rows and (borne := outcome.loading.borne) is not None:
+            step = int(rows["step"][np.argmax(np.where(rows[FACTOR] <= borne, rows[FACTOR], -np.inf))])
         else:
             step = int(rows["step"][-1])
         return max(int(np.searchsorted(steps, step, side="right")) - 1, 0)

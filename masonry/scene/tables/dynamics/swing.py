@@ -102,6 +102,13 @@ class DampingTable(Table):
         return 2.0 * self.rayleigh.ratio * low * high / (low + high)
 
     @property
+    def brakes_all(self) -> str | None:
+        """The key of what brakes all motion relative to the ground; None without any."""
+        if not self.mass_rate:
+            return None
+        return "rayleigh" if self.mass is None else "mass"
+
+    @property
     def stiffness_time(self) -> float:
         """a1, s."""
         if self.rayleigh is None:
