@@ -20,7 +20,7 @@ NONE = -1
 SKIN = 0.02
 """Of the mean size of a block, where the scene gives none."""
 ALONG = 10
-"""Points along the edges of patches that may crush: the moment of a toe is then within 2 % (docs/crushing.md)."""
+"""Points along the edges of patches that may crush: a toe bears its moment within 3 % (docs/theory/crushing.md)."""
 
 
 @dataclass(frozen=True)
