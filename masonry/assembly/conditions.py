@@ -7,7 +7,7 @@ import numpy as np
 from geometry.blocks import GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
-from masonry.assembly.fill import columns_of, weight_of
+from masonry.assembly.road.fill import columns_of, weight_of
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.kinds import KIND, velocities_of

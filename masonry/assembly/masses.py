@@ -8,7 +8,7 @@ from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.intersect import holds
 from geometry.polyhedra.measures import volumes
 from masonry.assembly.conditions import select
-from masonry.assembly.fill import columns_of
+from masonry.assembly.road.fill import columns_of
 from masonry.errors import SceneError
 from masonry.model.layout import Material
 from masonry.scene import Scene

@@ -33,7 +33,7 @@ class Columns(NamedTuple):
 def columns_of(fill: Fill, where: str, specimen: Specimen, joints: Joints, chosen: np.ndarray) -> Columns:
     """Those of a fill on some blocks (n,). Raises SceneError where the level is below all of them."""
     blocks = specimen.blocks
-    faces = _open_faces(blocks, joints, chosen, f"{where}.on = '{fill.on}'")
+    faces = open_faces(blocks, joints, chosen, f"{where}.on = '{fill.on}'")
     volume, centre = _volumes(blocks, faces, fill.level)
     if not volume.any():
         raise SceneError(
@@ -51,7 +51,7 @@ def weight_of(columns: Columns, layout: Layout, specific: float) -> dict[str, np
     return load
 
 
-def _open_faces(blocks: Blocks, joints: Joints, chosen: np.ndarray, where: str) -> np.ndarray:
+def open_faces(blocks: Blocks, joints: Joints, chosen: np.ndarray, where: str) -> np.ndarray:
     """The free faces of these blocks that look up. SceneError for one that a joint covers in part."""
     _, normal, _ = face_areas_normals_centroids(blocks)
     owner = blocks.face_block()

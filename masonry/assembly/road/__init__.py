@@ -1,0 +1,1 @@
+"""What lies and drives on a structure: earth up to a level, and a vehicle on the road above it."""
