@@ -26,6 +26,7 @@ def arch(
     depth: float,
     facets: int = 1,
     abutments: str = "square",
+    level: float = 0.0,
 ) -> Specimen:
     """Equal voussoirs in an upright plane, the crown at the top; intrados and extrados are polygons.
 
@@ -37,8 +38,9 @@ def arch(
     facets     straight pieces of intrados and extrados in each voussoir; with more than 1 voussoirs are not convex
     abutments  "square": each a block that goes on beyond the springing, square to it, by half the thickness; or
                "skewbacks": each stands upright below the springing, level below, which it meets in a slope
+    level      m, z of the centre of the circle, whose x is 0
 
-    The centre of the circle is at x = z = 0. Voussoirs come from left to right, then the left and the right abutment.
+    Voussoirs come from left to right, then the left and the right abutment.
     Sets "voussoir 1", "voussoir 2", ... from left to right, "voussoirs", "keystone" (the voussoir at the crown; both of
     them where their number is even), "left abutment", "right abutment". The section is that of a joint, thickness *
     depth. Raises GeometryError for what cannot be built.
@@ -48,7 +50,7 @@ def arch(
     require_counts("arch", "number of facets", (facets,), "x")
     if abutments not in ABUTMENTS:
         raise GeometryError(f"arch: abutments is '{abutments}', allowed: {', '.join(ABUTMENTS)}")
-    ends = joints_of_ring(radius, angle, voussoirs * facets, thickness)
+    ends = joints_of_ring(radius, angle, voussoirs * facets, thickness, level)
     stones = in_facets(ends, facets, np.zeros(voussoirs), np.full(voussoirs, depth))
     outlines = abutment_outlines(ends, angle) if abutments == "square" else skewback_outlines(ends)
     sides = extrude(outlines, np.zeros(2), np.full(2, depth), voussoirs + np.arange(2), ("units",))

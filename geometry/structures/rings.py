@@ -27,12 +27,21 @@ def require_ring(
         )
 
 
-def joints_of_ring(radius: float, angle: float, count: int, thickness: float) -> np.ndarray:
-    """(n + 1, 2, 2) m: x, z of the inner and the outer end of each joint of n pieces, from left to right."""
+def ring_over(span: float, rise: float, thickness: float) -> tuple[float, float, float]:
+    """Radius of the centre line (m), angle of embrace (rad) and z of the centre (m) of a ring whose intrados springs at
+    z = 0. Span and rise (m) are those of the intrados."""
+    inner, angle = (0.25 * span**2 + rise**2) / (2.0 * rise), min(4.0 * float(np.arctan2(rise, 0.5 * span)), np.pi)
+    return inner + 0.5 * thickness, angle, rise - inner
+
+
+def joints_of_ring(radius: float, angle: float, count: int, thickness: float, level: float = 0.0) -> np.ndarray:
+    """(n + 1, 2, 2) m: x, z of the inner and the outer end of each joint of n pieces, from left to right; the centre
+    of the ring is at x = 0 and z = level (m)."""
     from_crown = angle * (np.arange(count + 1) / count - 0.5)
     direction = np.stack([np.sin(from_crown), np.cos(from_crown)], axis=1)
     circles = radius + thickness * np.array([-0.5, 0.5])
-    return np.asarray(circles[None, :, None] * direction[:, None, :])
+    ends = circles[None, :, None] * direction[:, None, :]
+    return np.asarray(ends + np.array([0.0, level]) if level else ends)
 
 
 def voussoir_outlines(ends: np.ndarray) -> list[np.ndarray]:

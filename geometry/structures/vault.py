@@ -21,10 +21,11 @@ def vault(
     units_per_course: float,
     bond: str = "running",
     facets: int = 1,
+    level: float = 0.0,
 ) -> Specimen:
     """A ring as of an arch, so many courses from springing to springing, drawn out along y and cut into units.
 
-    radius, angle, thickness, facets  as in `arch`: m and rad
+    radius, angle, thickness, facets, level  as in `arch`: m and rad
     courses           2 or more, each as long as the vault
     length            m, along y
     units_per_course  whole units in a course, or in running bond half a unit more
@@ -44,7 +45,7 @@ def vault(
     require_counts("vault", "number of units", (units_per_course + 0.5 * halves,), "y")
     laid = COURSES[bond](units_per_course if halves else int(units_per_course))
     cuts = [np.concatenate([[0.0], np.cumsum(parts) * (length / sum(parts))]) for parts in laid]
-    ends = joints_of_ring(radius, angle, courses * facets, thickness)
+    ends = joints_of_ring(radius, angle, courses * facets, thickness, level)
     parts, course = [], []
     for c in range(courses):
         own, slices = ends[c * facets : (c + 1) * facets + 1], cuts[c % 2]

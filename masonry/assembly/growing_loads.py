@@ -6,6 +6,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.intersect import holds
 from masonry.assembly.conditions import select
+from masonry.assembly.road.axle_pressure import Pressure, RoadBed, load_of, road_bed
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions, Load, PointForce, Push, add_force, add_gravity, add_traction, points_of
@@ -23,8 +24,13 @@ def let_grow(
     limit = scene.limit
     assert limit is not None
     gravity = gravity_of(scene)
-    loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}
-    into.at_points["limit"] = _points_of(specimen, joints, layout, limit)
+    if limit.pattern == "vehicle":
+        pressure = pressure_of(scene, specimen, joints, layout)
+        loads, points = {"limit": load_of(pressure, layout)}, _points_below(pressure, layout)
+    else:
+        loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}
+        points = _points_of(specimen, joints, layout, limit)
+    into.at_points["limit"] = points
     if limit.pattern == "tilt":
         turning: Load = dict.fromkeys(KINDS)
         add_gravity(layout, turning, density, np.where(np.arange(3) == _axis(limit.about), 0.0, gravity))
@@ -34,6 +40,36 @@ def let_grow(
         raise SceneError(f"nothing loads this: {limit.pattern} of [limit] acts on no block that can move")
     into.each_load |= loads
     into.varying += loads.values()
+
+
+def bed_of(scene: Scene, specimen: Specimen, joints: Joints) -> RoadBed:
+    """Of the road below the vehicle of a scene. Raises SceneError."""
+    vehicle = scene.vehicle
+    assert vehicle is not None
+    chosen, faces = select(specimen, joints, vehicle.on, "vehicle.on")
+    if faces is not None:
+        raise SceneError(f"vehicle.on = '{vehicle.on}': a road lies on whole blocks; name a set, without a face")
+    return road_bed(vehicle, specimen, joints, chosen)
+
+
+def pressure_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> Pressure:
+    """Of the vehicle of a scene, where that says it stands. Raises SceneError."""
+    vehicle = scene.vehicle
+    assert vehicle is not None and vehicle.position is not None
+    pressure = bed_of(scene, specimen, joints).pressure(vehicle, vehicle.position, vehicle.directions[0])
+    if layout.meshed[pressure.owner].any():
+        raise SceneError(f"vehicle.on = '{vehicle.on}': axles press on rigid and affine blocks, not on tets")
+    return pressure
+
+
+def _points_below(pressure: Pressure, layout: Layout) -> list[PointForce]:
+    """What a vehicle presses on rigid blocks with, which moves with them."""
+    below = zip(pressure.owner.tolist(), pressure.force, pressure.centre, strict=True)
+    return [
+        PointForce(block, centre - layout.centroid[block], np.array([0.0, 0.0, -force]), False)
+        for block, force, centre in below
+        if not layout.deforms[block]
+    ]
 
 
 def _points_of(specimen: Specimen, joints: Joints, layout: Layout, limit: LimitLoad) -> list[PointForce]:

@@ -44,6 +44,9 @@ STRUCTURES: dict[str, Callable[..., Specimen]] = {
 }
 """Structures that people build: their parameters are keys of the scene's table."""
 
+RING = ("radius", "angle", "level")
+"""Of a ring, what its table makes of the keys that a scene gives."""
+
 
 def specimen_of(scene: Scene) -> Specimen:
     """The blocks of a scene, with named sets; raises GeometryError for what cannot be built."""
@@ -123,7 +126,8 @@ def _built(spec: Any) -> Specimen:
 def _structure(spec: Any) -> Specimen:
     """What the function of a structure builds of the keys that it asks for, its units divided."""
     build = STRUCTURES[spec.kind]
-    values = {key: getattr(spec, key) for key in signature(build).parameters}
+    ring = dict(zip(RING, spec.ring, strict=True)) if hasattr(spec, "ring") else {}
+    values = {key: ring[key] if key in ring else getattr(spec, key) for key in signature(build).parameters}
     if "opening" in values:
         values["opening"] = [_opening(table) for table in spec.opening]
     if "core" in values:

@@ -12,6 +12,7 @@ from masonry.assembly.assemble import joined
 from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
+from masonry.drawings.road_drawing import draw_road
 from masonry.errors import SceneError
 from masonry.pictures.camera import Camera, camera_of, with_less_floor
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
@@ -82,6 +83,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     for piece in pieces:
         faces.add_piece(piece)
     faces.draw(axes)
+    draw_road(axes, scene, specimen, joints, camera)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, camera, size)
     words = [words for mark in listed if (words := place_of_value(mark, camera, size)) is not None]

@@ -5,12 +5,13 @@ from time import perf_counter
 
 import numpy as np
 
-from geometry.blocks import Specimen
+from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
 from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.limit_analysis.limit_result import LimitResult
+from masonry.limit_analysis.positions import FactorEnvelope, envelope_of
 from masonry.limit_analysis.remarks import (
     CLOSED,
     block_words,
@@ -83,9 +84,11 @@ def analyse(
     begun = perf_counter()
     contacts = contacts_of(scene, specimen, joints, wishes.strength, wishes.crushing)
     alone = wishes.safety and not wishes.at
-    loads = loads_of(scene, specimen, joints, alone)
     method = Method(wishes.plane, wishes.sides, None if progress is None else progress.tell)
-    result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit)
+    envelope = None if wishes.safety else _envelope(scene, specimen, joints, contacts, method)
+    scene = scene if envelope is None else envelope.standing(scene)
+    loads = loads_of(scene, specimen, joints, alone)
+    result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, envelope=envelope)
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
     if progress is not None and plane_of(loads.bodies, contacts) is None:
@@ -103,6 +106,19 @@ def analyse(
     say_how_exact(result, loads.bodies)
     result.seconds = perf_counter() - begun
     return result
+
+
+def _envelope(
+    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, method: Method
+) -> FactorEnvelope | None:
+    """The factors of a vehicle that travels, with joints that dilate; None where none does."""
+    if scene.limit is None or scene.limit.pattern != "vehicle":
+        return None
+    if scene.vehicle is None or scene.vehicle.position is not None:
+        return None
+    bodies = loads_of(scene, specimen, joints, dead_alone=True).bodies
+    _require_standing(specimen, bodies, contacts, method)
+    return envelope_of(scene, specimen, joints, bodies, contacts, method)
 
 
 def _set_factor(

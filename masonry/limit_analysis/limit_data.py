@@ -8,6 +8,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import centroids
+from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.results.joint_resultants import COLUMNS, resultants
 from masonry.scene import Scene
 from masonry.statics.problem import Solution
@@ -29,6 +30,7 @@ class LimitData:
     unbalance     what is left on the block that is balanced worst, over its own loads
     worst         this block
     velocity      (B, 6) of the mechanism: m/s and rad/s at the centres of the blocks, times any number
+    envelope      of a vehicle that travels: its factors over its positions; the rest is of the least
     normal, shear (C,) and (C, 3) N at each contact point of `joints`, what block a does to block b; above 0 it presses
     """
 
@@ -57,6 +59,7 @@ class LimitData:
     excess: float | None = None
     open: float | None = None
     seconds: float = 0.0
+    envelope: FactorEnvelope | None = None
 
     def take(self, solution: Solution) -> None:
         """What an optimisation found."""
@@ -135,9 +138,21 @@ class LimitData:
             content |= {"steps": self.steps, "excess": self.excess, "open": self.open}
         if self.least is not None:
             content |= {"least": self.least}
+        if self.scene.vehicle is not None and not self.is_safety:
+            content |= self._vehicle_data()
         if self.is_safety:
             content |= {"at": self.at}
         return content
+
+    def _vehicle_data(self) -> dict[str, Any]:
+        """Where the vehicle of the scene stands, and the factors at the other positions of one that travels."""
+        assert self.scene.vehicle is not None
+        content = {"position": self.scene.vehicle.position, "direction": self.scene.vehicle.directions[0]}
+        if (envelope := self.envelope) is None:
+            return content
+        columns = {"direction": list(envelope.direction), "position": envelope.position.tolist()}
+        factor = [_plain(x) for x in envelope.factor.tolist()]
+        return content | {"envelope": {**columns, "factor": factor, "bound": envelope.bound}}
 
 
 def set_of(specimen: Specimen, block: int) -> str:

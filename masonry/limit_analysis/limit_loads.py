@@ -7,8 +7,9 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import material_of, require_groups
 from masonry.assembly.conditions import conditions_of
-from masonry.assembly.growing_loads import gravity_of, growing_load
+from masonry.assembly.growing_loads import gravity_of, growing_load, pressure_of
 from masonry.assembly.masses import density_of
+from masonry.assembly.road.axle_pressure import load_of
 from masonry.errors import SceneError
 from masonry.model.layout import Layout, lay_out
 from masonry.model.loads import Conditions
@@ -47,7 +48,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     """
     require_groups(scene, specimen.blocks.groups)
     groups = specimen.blocks.groups
-    layout = lay_out(specimen.blocks, dict.fromkeys(groups, "rigid"), None)
+    layout = layout_of(specimen)
     materials = {g: material_of(scene, g) for g in groups}
     rigid = scene.model_copy(update={"motion": (), "kinematics": {"default": "rigid"}})
     density, gravity = density_of(scene, specimen, joints, materials), gravity_of(scene)
@@ -75,6 +76,11 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = None if load is None or load.pattern != "tilt" else dead + _along(weight, load)
     return Loads(bodies, words, "" if together is None else "N", steady)
+
+
+def layout_of(specimen: Specimen) -> Layout:
+    """All blocks as rigid ones."""
+    return lay_out(specimen.blocks, dict.fromkeys(specimen.blocks.groups, "rigid"), None)
 
 
 def _varying(scene: Scene) -> list[str]:
@@ -123,10 +129,10 @@ def _steady(scene: Scene, varying: list[str]) -> list[str]:
 def _loads(conditions: Conditions, layout: Layout, name: str) -> np.ndarray:
     """(B, 6) one load at a share of 1, moments about x, y and z."""
     load = conditions.each_load[name]["rigid"]
-    return np.zeros((len(layout.kind), 6)) if load is None else _about_axes(load, layout)
+    return np.zeros((len(layout.kind), 6)) if load is None else about_axes(load, layout)
 
 
-def _about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
+def about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
     """Moments about principal axes as moments about x, y and z."""
     return np.concatenate([load[:, :3], np.einsum("bij,bj->bi", layout.axes, load[:, 3:])], axis=1)
 
@@ -145,16 +151,32 @@ def _live(
     together: np.ndarray | None,
 ) -> tuple[np.ndarray, str]:  # fmt: skip
     """(B, 6) the load at a factor of 1, and what it is in words."""
+    if limit.pattern == "vehicle":
+        return _below_vehicle(scene, specimen, joints, layout)
     if limit.pattern != "drive":
         by_kind, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
         load = by_kind["rigid"]
         assert load is not None
-        return _about_axes(load, layout), words
+        return about_axes(load, layout), words
     assert scene.drive is not None and together is not None
     live = np.zeros((len(density), 6))
     blocks = together[:, scene.drive.axis]
     live[blocks, scene.drive.axis] = scene.drive.sign / max(int(blocks.sum()), 1)
     return live, f"the force of the drive on '{scene.drive.on}' along {scene.drive.direction}"
+
+
+def _below_vehicle(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[np.ndarray, str]:
+    """(B, 6) of a vehicle that stands somewhere. Raises SceneError where it does not."""
+    vehicle = scene.vehicle
+    assert vehicle is not None
+    if vehicle.position is None:
+        raise SceneError("vehicle.position: missing; this analysis loads one place; give it, for example '1.3 m'")
+    load = load_of(pressure_of(scene, specimen, joints, layout), layout)["rigid"]
+    number = len(vehicle.axles)
+    axles = "the axle" if number == 1 else f"the {number} axles"
+    leads = "" if vehicle.is_symmetric else f", which leads along {vehicle.directions[0]}"
+    words = f"{axles} of the vehicle{leads}, {vehicle.total * 1e-3:.6g} kN in all, at x = {vehicle.position:.4f} m"
+    return (np.zeros((specimen.blocks.count, 6)) if load is None else about_axes(load, layout)), words
 
 
 def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditions) -> np.ndarray:
@@ -165,7 +187,7 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     """
     deforms = np.array([scene.deforms(g) for g in specimen.blocks.groups])[specimen.blocks.group]
     fixed = conditions.prescribed["rigid"].copy()
-    fixed[:, 3:] = _rotations_about_axes(fixed[:, 3:], layout)
+    fixed[:, 3:] = _rotationsabout_axes(fixed[:, 3:], layout)
     for by in conditions.held_by.values():
         for k in range(3):
             which = deforms & by["rigid"][:, k]
@@ -173,7 +195,7 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     return fixed
 
 
-def _rotations_about_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
+def _rotationsabout_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
     """Turns about principal axes that are held, as turns about x, y and z.
 
     A scene that holds one or two turns of a block has an axis of it along x, y or z (see masonry/model/supports.py).

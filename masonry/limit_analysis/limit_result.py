@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 from geometry.files.atomic import WholeFiles
+from masonry.limit_analysis.envelope_picture import envelope_figure, envelope_table
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
@@ -14,13 +15,18 @@ class LimitResult(LimitData):
     """The answer of a limit analysis: its numbers are those of LimitData; it prints as `masonry limit` does."""
 
     def save(self, folder: Path | str, view: str | None = None) -> list[Path]:
-        """Write limit.json, mechanism.png and thrust.png, all or none; returns their paths."""
-        folder = Path(folder)
+        """Write limit.json, mechanism.png and thrust.png, of a vehicle that travels envelope.csv and envelope.png too,
+        all or none; returns their paths."""
+        folder, names = Path(folder), ["limit.json", "mechanism.png", "thrust.png"]
         with WholeFiles(folder) as files:
             files.text("limit.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
             write_png(mechanism_figure(self, view), files.new("mechanism.png"))
             write_png(thrust_figure(self, view), files.new("thrust.png"))
-        return [folder / name for name in ("limit.json", "mechanism.png", "thrust.png")]
+            if self.envelope is not None:
+                files.text("envelope.csv", envelope_table(self.envelope))
+                write_png(envelope_figure(self), files.new("envelope.png"))
+                names += ["envelope.csv", "envelope.png"]
+        return [folder / name for name in names]
 
     def __str__(self) -> str:
         return result_text(self)

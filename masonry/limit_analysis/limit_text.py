@@ -5,6 +5,7 @@ from math import inf
 import numpy as np
 
 from masonry.limit_analysis.limit_data import LimitData, set_of
+from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.runtime.tables import Rows, aligned
 
 
@@ -18,6 +19,8 @@ def result_text(result: LimitData) -> str:
         ("of", [result.words]),
         ("which is", [result.bound]),
     ]
+    if result.envelope is not None:
+        rows.insert(4, ("least of", _positions(result.envelope)))
     if result.least is not None:
         rows.insert(3, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
     if result.with_dilation is not None:
@@ -52,6 +55,18 @@ def _angle(result: LimitData) -> str:
     """The angle of a tilt."""
     tilts = "tangent of the angle" in result.words and not result.is_safety
     return f", at {np.degrees(np.arctan(result.factor)):.4f} deg" if tilts else ""
+
+
+def _positions(envelope: FactorEnvelope) -> list[str]:
+    """Over how many positions a factor is the least, how surely, and how a run has it."""
+    position = envelope.position
+    off = 1.0 - envelope.bound / max(float(envelope.factor.min()), 1e-300)
+    lead = "" if len(set(envelope.direction)) == 1 else f" --set vehicle.direction={envelope.direction[envelope.least]}"
+    return [
+        f"{len(position)} positions from {position.min():.4g} m to {position.max():.4g} m; none of their mechanisms "
+        f"gives less anywhere between, by more than {max(off, 1e-6):.0e} of it",
+        f"a run there: --set 'vehicle.position={position[envelope.least]:.4f} m'{lead} --set 'limit.accuracy=1 %'",
+    ]
 
 
 def _fastest(result: LimitData) -> str:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Joints
+from masonry.drawings.road_drawing import draw_road
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
@@ -52,6 +53,8 @@ def mechanism_figure(result: LimitData, view: str | None = None) -> Any:
             faces.add_polygon(moved.corners, TINT)
     figure, axes = _figure(result, f"mechanism at {_factor(result)}: what begins to move is tinted")
     faces.draw(axes)
+    moves = lambda block, points: times * result.velocity_at(block, points)  # noqa: E731
+    draw_road(axes, result.scene, result.specimen, result.joints, camera, moves)
     return _fitted(figure, axes)
 
 
@@ -73,6 +76,7 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
         faces.add_piece(piece)
     figure, axes = _figure(result, f"thrust at {_factor(result)}: the largest is {largest * 1e-3:.4g} kN")
     faces.draw(axes)
+    draw_road(axes, result.scene, result.specimen, result.joints, camera)
     shown = size > LEAST * largest
     half = 0.5 * LONGEST * camera.size / max(largest, 1e-300)
     ends = np.stack([camera.project(place + sign * half * force) for sign in (-1.0, 1.0)], axis=1)

@@ -30,6 +30,8 @@ def require_fit(scene: Any) -> None:
         _limit(scene)
     if scene.fill:
         _fill(scene)
+    if scene.vehicle is not None and (scene.limit is None or scene.limit.pattern != "vehicle"):
+        raise KeyedError("vehicle", "its axles are what a factor multiplies: give [limit] pattern = 'vehicle'")
 
 
 def _fill(scene: Any) -> None:
@@ -53,8 +55,9 @@ def _limit(scene: Any) -> None:
     pattern, gravity = scene.limit.pattern, scene.gravity
     if pattern in ("weight", "tilt") and gravity is None:
         raise KeyedError("limit.pattern", f"'{pattern}' needs weight: a table [gravity]")
-    if pattern == "drive" and scene.drive is None:
-        raise KeyedError("limit.pattern", "'drive' needs a table [drive]")
+    for table in ("drive", "vehicle"):
+        if pattern == table and getattr(scene, table) is None:
+            raise KeyedError("limit.pattern", f"'{table}' needs a table [{table}]")
     if pattern == "tilt":
         about = scene.limit.about[-1]
         if not any(g for axis, g in zip("xyz", gravity.vector, strict=True) if axis != about):
@@ -65,6 +68,11 @@ def _limit(scene: Any) -> None:
 
 def _grows(scene: Any) -> None:
     """In a run whose load grows until nothing balances it, all other loads stay, and time means nothing."""
+    if scene.limit.pattern == "vehicle" and scene.vehicle.position is None:
+        raise KeyedError(
+            "vehicle.position",
+            "missing; a run loads one place: `masonry limit` finds the worst one; give it, for example '1.3 m'",
+        )
     alone = "the load of [limit] grows alone, paced by what the specimen does; leave this out, or limit.accuracy"
     if scene.drive is not None:
         raise KeyedError("drive", alone)

@@ -32,6 +32,7 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("confinement", [_words(tables["confinement"])] if scene.confinement is not None else []),
         ("traction", _each(tables, "traction")),
         ("fill", _each(tables, "fill")),
+        ("vehicle", [_words(tables["vehicle"])] if scene.vehicle is not None else []),
         ("masses", _each(tables, "mass")),
         ("gravity", [_words(tables["gravity"])] if scene.gravity is not None else []),
         ("motion", _each(tables, "motion")),

@@ -19,6 +19,7 @@ from masonry.scene.tables.law_keys import AnyContact
 from masonry.scene.tables.limit import LimitLoad
 from masonry.scene.tables.loads_and_supports import Drive, Fill, Settle, Solver, Support, Traction
 from masonry.scene.tables.point_counts import DENSITIES, PerAxis
+from masonry.scene.tables.road.vehicle import Vehicle
 from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen import Specimen
 from masonry.scene.tables.standard import Standard
@@ -54,6 +55,7 @@ class SceneData(Table):
     drive: Drive | None = None
     traction: tuple[Traction, ...] = ()
     fill: tuple[Fill, ...] = ()
+    vehicle: Vehicle | None = None
     mass: tuple[AddedMass, ...] = ()
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()

@@ -16,6 +16,9 @@ RIVALS = (
     {"total", "per_unit", "size"},
     {"scale", "peak"},
     {"record", "made"},
+    {"radius", "span"},
+    {"angle", "rise"},
+    {"position", "between"},
 )
 
 

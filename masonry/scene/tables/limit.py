@@ -16,6 +16,7 @@ KEYS = {
     "force": ("on", "force", "at"),
     "traction": ("on", "stress"),
     "drive": (),
+    "vehicle": (),
 }
 """Keys of each pattern."""
 OPTIONAL = ("at",)
@@ -55,11 +56,11 @@ ForceVector = Annotated[ForceTable, BeforeValidator(_directions), PlainSerialize
 
 class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
-    axis, a force on blocks, a traction on a face, or what the drive pushes with. With an accuracy a run lets it grow
-    until nothing balances it, up to a factor at most; a gauge to control is then led on until it reads so much. Or the
-    load goes to and fro, through the factors of a history."""
+    axis, a force on blocks, a traction on a face, what the drive pushes with, or the axles of a vehicle. With an
+    accuracy a run lets it grow until nothing balances it, up to a factor at most; a gauge to control is then led on
+    until it reads so much. Or the load goes to and fro, through the factors of a history."""
 
-    pattern: Literal["weight", "tilt", "force", "traction", "drive"]
+    pattern: Literal["weight", "tilt", "force", "traction", "drive", "vehicle"]
     direction: Direction | None = None
     about: Direction | None = None
     on: Selector | None = None

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, StrictBool, model_validator
 
+from geometry.structures.rings import ring_over
 from masonry.scene.tables.cells import CellsTable
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 from masonry.scene.tables.types import (
@@ -35,15 +36,44 @@ class Structure(SpecimenTable, Divided):
 
 
 class _Ring(Structure):
-    """A ring of pieces between two abutments; radius of the centre line, angle of embrace."""
+    """A ring of pieces between two abutments: radius of the centre line and angle of embrace, or span and rise of the
+    intrados."""
 
-    radius: Length
-    angle: Embrace
+    radius: Length | None = None
+    angle: Embrace | None = None
+    span: Length | None = None
+    rise: Length | None = None
     thickness: Length
+
+    @property
+    def ring(self) -> tuple[float, float, float]:
+        """Radius of the centre line (m), angle of embrace (rad), z of the centre (m)."""
+        if self.span is not None and self.rise is not None:
+            return ring_over(self.span, self.rise, self.thickness)
+        assert self.radius is not None and self.angle is not None
+        return self.radius, self.angle, 0.0
+
+    @property
+    def length_of_ring(self) -> float:
+        """m, of its centre line."""
+        radius, angle, _ = self.ring
+        return radius * angle
 
     @model_validator(mode="after")
     def _is_a_ring(self) -> "_Ring":
-        if self.thickness >= self.radius:
+        by_circle, by_span = {"radius": self.radius, "angle": self.angle}, {"span": self.span, "rise": self.rise}
+        mine, others = (by_span, by_circle) if self.span is not None or self.rise is not None else (by_circle, by_span)
+        for key, value in others.items():
+            if value is not None:
+                raise KeyedError(
+                    key, "radius and angle, or span and rise, give the ring; keep two that belong together"
+                )
+        for key, value in mine.items():
+            if value is None:
+                raise KeyedError(key, "missing; give radius and angle of the ring, or span and rise of its intrados")
+        if self.span is not None and self.rise is not None and self.rise > 0.5 * self.span:
+            raise KeyedError("rise", f"must be half of the span or less, {0.5 * self.span:g} m; that is a semicircle")
+        if self.radius is not None and self.thickness >= self.radius:
             raise KeyedError("thickness", f"must be less than radius, {self.radius:g} m, the radius of the centre line")
         return self
 
@@ -60,7 +90,7 @@ class ArchSpec(_Ring):
     @property
     def amount(self) -> tuple[float, float, float]:
         """About how many units, their volume (m3), and how deep they are along y (m)."""
-        return self.voussoirs + 2, self.radius * self.angle * self.thickness * self.depth, self.depth
+        return self.voussoirs + 2, self.length_of_ring * self.thickness * self.depth, self.depth
 
 
 class VaultSpec(_Ring):
@@ -76,15 +106,17 @@ class VaultSpec(_Ring):
     @property
     def amount(self) -> tuple[float, float, float]:
         """About how many units, their volume (m3), and how deep they are along y (m)."""
-        volume = self.radius * self.angle * self.thickness * self.length
+        volume = self.length_of_ring * self.thickness * self.length
         return self.courses * (self.units_per_course + 0.5), volume, self.length / self.units_per_course
 
 
-class DomeSpec(_Ring):
-    """Courses of voussoirs round an upright axis, on a ring of blocks."""
+class DomeSpec(Structure):
+    """Courses of voussoirs round an upright axis, on a ring of blocks; radius of the middle surface."""
 
     kind: Literal["dome"]
+    radius: Length
     angle: Embrace = float(np.pi)
+    thickness: Length
     courses: Count
     voussoirs: Sides
     crown: Length
@@ -93,6 +125,8 @@ class DomeSpec(_Ring):
 
     @model_validator(mode="after")
     def _has_a_crown(self) -> "DomeSpec":
+        if self.thickness >= self.radius:
+            raise KeyedError("thickness", f"must be less than radius, {self.radius:g} m, the radius of the centre line")
         springing = self.radius * float(np.sin(0.5 * self.angle))
         if self.crown >= springing:
             raise KeyedError("crown", f"must be less than the radius at the springing, {springing:.4g} m")

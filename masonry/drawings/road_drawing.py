@@ -1,0 +1,91 @@
+"""Earth on blocks, the road above it, and the axles of a vehicle with what they spread on, in any view."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Joints, Specimen
+from geometry.polyhedra.polygons import pad
+from masonry.assembly.conditions import select
+from masonry.assembly.growing_loads import bed_of
+from masonry.assembly.road.fill import open_faces
+from masonry.pictures.camera import Camera
+from masonry.scene import Scene
+
+EARTH, ROAD, AXLE = "#d9c9a8", "0.35", "#1f5fa8"
+ARROW = 0.09
+"""Length of an arrow over the size of the picture."""
+Moves = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""By how much points (n, 3) of blocks (n,) are moved in a picture."""
+
+
+def draw_road(
+    axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera, moves: Moves | None = None
+) -> None:
+    """Fill, road and vehicle of a scene, where it has them; a vehicle that travels stands in the middle of its way."""
+    for fill in scene.fill:
+        chosen = select(specimen, joints, fill.on, "fill")[0]
+        faces = open_faces(specimen.blocks, joints, chosen, "fill")
+        _draw_earth(axes, specimen, faces, fill.level, camera, moves)
+    if scene.vehicle is not None:
+        _draw_vehicle(axes, scene, specimen, joints, camera)
+
+
+def _draw_earth(
+    axes: Any, specimen: Specimen, faces: np.ndarray, level: float, camera: Camera, moves: Moves | None
+) -> None:
+    """Columns above faces, as a strip on the near side."""
+    from matplotlib.collections import PolyCollection
+
+    blocks, y = specimen.blocks, _near(specimen, camera)
+    corners, count = (array[faces] for array in pad(blocks.points, blocks.face_start, blocks.face_points))
+    if moves is not None:
+        owner = np.repeat(blocks.face_block()[faces], corners.shape[1])
+        corners = corners + moves(owner, corners.reshape(-1, 3)).reshape(corners.shape)
+    strips = []
+    for polygon, number in zip(corners, count.tolist(), strict=True):
+        x, z = polygon[:number, 0], polygon[:number, 2]
+        left, right = x.min(), x.max()
+        ends = [(at, min(z[np.isclose(x, at)].max(), level)) for at in (left, right)]
+        outline = [ends[0], ends[1], (right, level), (left, level)]
+        strips.append(camera.project(np.array([[a, y, b] for a, b in outline])))
+    axes.add_collection(PolyCollection(strips, facecolors=EARTH, edgecolors=EARTH, linewidths=0.4, zorder=0.4))
+
+
+def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera) -> None:
+    from matplotlib.collections import PolyCollection
+
+    vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), _near(specimen, camera)
+    assert vehicle is not None
+    level, arrow = vehicle.level, ARROW * camera.size
+
+    def place(x: float, z: float) -> np.ndarray:
+        return camera.project(np.array([x, y, z]))
+
+    middle = 0.5 * sum(vehicle.between or bed.reach(vehicle)) if vehicle.position is None else vehicle.position
+    places = vehicle.places(middle, vehicle.directions[0])
+    ends = min(bed.low, *places) - 0.5 * vehicle.patch, max(bed.high, *places) + 0.5 * vehicle.patch
+    axes.plot(*np.array([place(x, level) for x in ends]).T, color=ROAD, lw=2.0, zorder=8.0)
+    spreads = []
+    for load, x in zip(vehicle.axles, places.tolist(), strict=True):
+        low, high = bed.width_at(x, vehicle)
+        below, half = level - bed.depth_at(x), 0.5 * vehicle.patch
+        spreads.append(
+            np.array([place(x - half, level), place(x + half, level), place(high, below), place(low, below)])
+        )
+        style = {"arrowstyle": "-|>", "color": AXLE, "lw": 2.0, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
+        tail = place(x, level + arrow)
+        axes.annotate("", place(x, level), tail, zorder=9, arrowprops=style)
+        axes.annotate(
+            f"{load * 1e-3:.4g} kN", tail, (0, 3), textcoords="offset points", ha="center", va="bottom",
+            fontsize=9, color=AXLE, zorder=9,
+        )  # fmt: skip
+        axes.update_datalim([tail, place(x, level + 1.6 * arrow)])
+    axes.add_collection(PolyCollection(spreads, facecolors=AXLE, alpha=0.22, edgecolors="none", zorder=0.6))
+
+
+def _near(specimen: Specimen, camera: Camera) -> float:
+    """m, y of the side of a specimen that a camera sees."""
+    y = specimen.blocks.points[:, 1]
+    return float(y.min() if camera.toward[1] < 0.0 else y.max())
