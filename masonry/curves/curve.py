@@ -4,12 +4,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from masonry.curves.collapse_curve import collapse_figure, is_collapse_curve
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.curves.measured import draw_measured
-from masonry.curves.time_curve import is_over_time, time_figure
+from masonry.curves.time_curve import asks_for_time, is_over_time, time_figure
 from masonry.judgement.doubts.peak_passed import still_rises
+from masonry.pictures.labels import PointLabel, key_beside, place_labels
 from masonry.pictures.style import heading, tidy
 from masonry.results.frame_choice import without_noise
 from masonry.rows.peak import peak_row
@@ -22,17 +24,14 @@ def curve_figure(result: "ResultData") -> Any:
     """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
     of a drive that turns back; movements and reactions where there is none; gauges over the time; the load factor
     where a gauge was led."""
-    if result.summary.cycles:
+    if len(result.history.rows.get("step", ())) and is_over_time(result):
+        return time_figure(result)
+    if result.summary.cycles and not asks_for_time(result):
         from masonry.curves.hysteresis import hysteresis_figure
 
         return hysteresis_figure(result)
-    if len(result.history.rows.get("step", ())) and is_over_time(result):
-        return time_figure(result)
-    grown = result.summary.collapse_load
-    if grown is not None and grown.branch is not None and grown.branch.led:
-        from masonry.curves.branch_curve import branch_figure
-
-        return branch_figure(result)
+    if len(result.history.rows.get("step", ())) and is_collapse_curve(result):
+        return collapse_figure(result)
     if not result.has_drive and len(result.history.rows.get("step", ())):
         from masonry.curves.settling_curve import settling_figure
 
@@ -58,14 +57,15 @@ def curve_figure(result: "ResultData") -> Any:
     mark_fall([curve, ledger], result, lambda steps: np.interp(steps, rows["step"], drawn.across), later, begins=False)
     draw_ledger(ledger, rows, drawn.across)
     for axes in (curve, ledger):
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+        key_beside(axes)
+    place_labels(figure, curve, _labels(result, drawn))
     return figure
 
 
 def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
     """The curve with its peak and its end; what falls and hits the drive goes out of the picture."""
     rows, stood = result.history.rows, result.standing_rows
-    displacement, unit = drawn.across, drawn.unit
+    displacement = drawn.across
     peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
     stress, support = rows["stress"] * drawn.factor, rows["support_stress"] * drawn.factor
     axes.plot(displacement, stress, color="#1f3b5c", linewidth=2.0, label="at the drive")
@@ -75,30 +75,23 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
         return
     word = "highest" if still_rises(result.summary) else "peak"
     axes.plot(peak_at, peak, "o", color="#b2182b", markersize=7, label=word)
-    late = peak_at > displacement.min() + 2 / 3 * np.ptp(displacement)
-    axes.annotate(
-        f"{word} {peak:.4g} {unit} at {without_noise(peak_at, displacement):.4g} mm",
-        (peak_at, peak),
-        xytext=(-12 if late else 12, 4 if peak >= 0 else -14),
-        ha="right" if late else "left",
-        textcoords="offset points",
-        color="#b2182b",
-        fontsize=11,
-    )
     axes.margins(y=0.12)
     limits = without_blows(result, stress, support, np.full_like(stress, peak))
     if limits is not None:
         axes.set_ylim(*limits)
+
+
+def _labels(result: "ResultData", drawn: CurveAxes) -> list[PointLabel]:
+    """Words on the peak, and on the end where that comes later."""
+    stood, unit = result.standing_rows, drawn.unit
+    stress = result.history.rows["stress"] * drawn.factor
+    if not result.history.rows["displacement"].any():
+        return []
+    word = "highest" if still_rises(result.summary) else "peak"
+    peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
+    place = f"{without_noise(peak_at, drawn.across):.4g} {drawn.across_unit}"
+    labels = [PointLabel(f"{word} {peak:.4g} {unit} at {place}", (peak_at, peak), "#b2182b")]
     if peak_row(stood) < len(stress) - 1:
-        right = displacement[-1] >= displacement.mean()
-        axes.annotate(
-            f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}",
-            (displacement[-1], stress[-1]),
-            xytext=(-4 if right else 4, 30 if stress[-1] >= 0 and (limits is not None or not late) else -38),
-            textcoords="offset points",
-            ha="right" if right else "left",
-            color="0.25",
-            fontsize=11,
-            arrowprops={"arrowstyle": "-", "color": "0.6", "linewidth": 0.8, "shrinkA": 0.0},
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
-        )
+        words = f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}"
+        labels.append(PointLabel(words, (float(drawn.across[-1]), float(stress[-1]))))
+    return labels

@@ -25,6 +25,11 @@ class CurveAxes:
     unit: str
     factor: float
 
+    @property
+    def across_unit(self) -> str:
+        """The unit of what is across: that in the brackets of its label."""
+        return self.label.rpartition("[")[2].rstrip("]")
+
     def place(self, rows: dict[str, np.ndarray], displacement: float) -> float:
         """Where the displacement (m) of the drive at the peak of some rows, the first of all, lies across."""
         return at_peak(rows, self.across[: len(rows["step"])], displacement)

@@ -7,6 +7,7 @@ import numpy as np
 from masonry.curves.curve_axes import curve_axes
 from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.curves.measured import draw_measured
+from masonry.pictures.labels import PointLabel, key_below, key_beside, place_labels
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.rows.columns import FACTOR
 from masonry.rows.cycles import bounds
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 PARTS = ("fracture_mode_1", "fracture_mode_2", "crushing", "friction")
+RED = "#b2182b"
 NAMED = 8
 """Cycles up to which each has its line in the key; of more, some have."""
 ROOM = 1.25
@@ -64,18 +66,42 @@ def hysteresis_figure(result: "ResultData") -> Any:
     for axes in (loops, ledger, bars):
         tidy(axes)
     draw_measured(loops, result, curve_axes(result))
-    _draw_loops(loops, drawn)
+    peaks = peak_labels(result, drawn)
+    _draw_loops(loops, drawn, peaks)
     path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
     draw_ledger(ledger, drawn.rows, path)
     ledger.set_xlabel(drawn.path)
     ledger.set_ylabel("energy [J]")
-    figure.legend(*ledger.get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    key_below(figure, ledger.get_legend_handles_labels()[0], fontsize=9)
     _draw_bars(bars, result.summary.cycles or [])
+    place_labels(figure, loops, peaks)
     return figure
 
 
-def _draw_loops(axes: Any, drawn: Loops) -> None:
-    """Each cycle in a colour of its own, from light to dark; dots at the turns; the fall, if there is one."""
+def peak_labels(result: "ResultData", drawn: Loops) -> list[PointLabel]:
+    """Words on the highest force of a drive, and on the lowest where it was pushed back; of a load none: it goes as far
+    as the scene says."""
+    summary = result.summary
+    if not result.has_drive or drawn.turning is not drawn.rows["displacement"]:
+        return []
+    axes, stood = curve_axes(result), result.standing_rows
+    row = int(np.argmin(stood["stress"]))
+    sides = [("highest", result.peak.stress, axes.place(stood, result.peak.displacement))]
+    if (lowest := summary.lowest_stress_pa) is not None and lowest < 0.0:
+        sides.append(("lowest", lowest, float(axes.across[row])))
+    return [
+        PointLabel(
+            f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}",
+            (place, stress * axes.factor),
+            RED,
+        )
+        for word, stress, place in sides
+    ]
+
+
+def _draw_loops(axes: Any, drawn: Loops, peaks: list[PointLabel]) -> None:
+    """Each cycle in a colour of its own, from light to dark; dots at the turns and the peaks; the fall, if there is
+    one."""
     from matplotlib import colormaps
 
     ends = np.array(bounds(drawn.turning))
@@ -89,7 +115,10 @@ def _draw_loops(axes: Any, drawn: Loops) -> None:
     direction = np.sign(np.diff(drawn.turning))
     moving = np.flatnonzero(direction)
     reversals = moving[1:][direction[moving[1:]] != direction[moving[:-1]]]
-    axes.plot(drawn.across[reversals], drawn.up[reversals], "o", color="#b2182b", markersize=4, label="turn")
+    axes.plot(drawn.across[reversals], drawn.up[reversals], "o", color="0.4", markersize=4, label="turn")
+    if peaks:
+        axes.plot(*np.transpose([label.place for label in peaks]), "o", color=RED, markersize=7, label="peak")
+    axes.margins(y=0.12)
     axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())  # loops fill the picture; a fall goes out of it
     if drawn.fall is not None:
         axes.plot(*drawn.fall, "--", color="0.4", linewidth=1.2, label="fall")
@@ -97,7 +126,7 @@ def _draw_loops(axes: Any, drawn: Loops) -> None:
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set_xlabel(drawn.x)
     axes.set_ylabel(drawn.y)
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    key_beside(axes)
 
 
 def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from masonry.curves.curve_axes import tilt_axis
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
+from masonry.pictures.labels import key_beside
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.results.reaction_words import reaction_lines
 from masonry.rows.columns import FACTOR, TILT, gauges_of
@@ -48,7 +49,7 @@ def settling_figure(result: "ResultData") -> Any:
     ledger.set_ylabel("energy [J]")
     ledger.set_xlabel(label)
     for axes in (moved, ledger):
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+        key_beside(axes)
     return figure
 
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from masonry.curves.response_spectra import GaugeSpectrum
 from masonry.curves.settling_curve import COLOURS
+from masonry.pictures.labels import key_beside
 from masonry.pictures.style import plain, tidy
 from masonry.rows.columns import GRAVITY
 
@@ -36,5 +37,5 @@ def spectra_figure(result: "ResultData", spectra: list[GaugeSpectrum]) -> Any:
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("period [s]")
     axes.set_ylabel(f"pseudo-acceleration [g], {100.0 * spectra[0].answers.damping:g} % of critical damping")
-    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+    key_beside(axes)
     return figure

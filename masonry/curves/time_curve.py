@@ -7,6 +7,7 @@ import numpy as np
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.curves.settling_curve import COLOURS, SETTLED_TIME, movements
+from masonry.pictures.labels import key_beside
 from masonry.pictures.style import heading, plain, tidy
 from masonry.rows.columns import GRAVITY, gauges_of
 
@@ -33,10 +34,14 @@ class TimeLine(NamedTuple):
 def is_over_time(result: "ResultData") -> bool:
     """Whether a result is drawn over the time: the scene says so, the ground moves, or it has gauges of velocities or
     accelerations."""
-    table = result.scene_table
-    curve = table.get("curve", {})
-    told = isinstance(curve, dict) and curve.get("x") == "time" and (not result.has_drive or bool(drawn_gauges(result)))
-    return told or (not result.has_drive and (result.is_shaken or bool(result.history.units)))
+    asks = asks_for_time(result) and (not result.has_drive or bool(drawn_gauges(result)))
+    return asks or (not result.has_drive and (result.is_shaken or bool(result.history.units)))
+
+
+def asks_for_time(result: "ResultData") -> bool:
+    """Whether the scene has the time across."""
+    curve = result.scene_table.get("curve", {})
+    return isinstance(curve, dict) and curve.get("x") == "time"
 
 
 def drawn_gauges(result: "ResultData") -> tuple[str, ...]:
@@ -94,5 +99,5 @@ def time_figure(result: "ResultData") -> Any:
     ledger.set_xlabel(time_label(result))
     ledger.set_xlim(0.0, float(since(result, rows["step"][-1:])[0]) or None)
     for axes in (*panels, ledger):
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, frameon=False, fontsize=10)
+        key_beside(axes)
     return figure

@@ -1,4 +1,4 @@
-"""How a share and a block are written in a sentence of trust."""
+"""How shares, stresses and blocks are written in sentences."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -15,3 +15,16 @@ def percent(fraction: float, digits: int = 2) -> str:
 def block_at(place: Mapping[str, Any]) -> str:
     """A block, by its number and where it was made (m)."""
     return f"block {place['block']} at ({', '.join(f'{x:.4g}' for x in place['at_m'])}) m"
+
+
+def stress_text(stress: float | None, section: float | None) -> str:
+    """A stress (Pa), and the force that it stands for, with the section (m2) between them."""
+    words = number_text(stress, 1e-6, "MPa")
+    if stress is None or section is None:
+        return words
+    return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
+
+
+def number_text(value: float | None, factor: float, unit: str) -> str:
+    """A number in SI, times a factor, in a unit."""
+    return "not known" if value is None else f"{value * factor:.4g} {unit}"

@@ -10,7 +10,7 @@ import numpy as np
 from masonry.judgement.doubts.peak_passed import still_rises
 from masonry.judgement.evidence import has_drive
 from masonry.judgement.sentence import advice, trust
-from masonry.judgement.words import BELOW_0, percent
+from masonry.judgement.words import BELOW_0, number_text, percent, stress_text
 from masonry.laboratory.beside_text import measured_lines, standard_lines
 from masonry.laboratory.shaking_text import shaking_rows
 from masonry.results.frame_choice import without_noise
@@ -176,7 +176,7 @@ def _balance_rows(summary: Summary, driven: bool) -> Rows:
     loads = loads_text(summary) if driven else ""
     return [
         ("work of dead loads", [loads] if loads else []),
-        ("energy balance", [f"open by {_number(summary.energy_imbalance, 1.0, 'of the external work')}"]),
+        ("energy balance", [f"open by {number_text(summary.energy_imbalance, 1.0, 'of the external work')}"]),
         ("force balance", [] if summary.force_balance is None else [balance_text(summary)]),
     ]
 
@@ -185,7 +185,7 @@ def _slow_rows(summary: Summary) -> Rows:
     """By what it can be seen whether the test was slow enough to be static."""
     apart, kinetic = summary.reaction_mismatch_max, summary.kinetic_over_internal_max
     return [
-        ("drive and support", [f"differ by at most {_number(apart, 100.0, '% of the peak')}"]),
+        ("drive and support", [f"differ by at most {number_text(apart, 100.0, '% of the peak')}"]),
         ("kinetic energy", [f"at most {_share(kinetic, 4)} of the internal energy"]),
     ]
 
@@ -202,8 +202,20 @@ def _peak_rows(summary: Summary) -> Rows:
     rises = "; it still rose at the end" if still_rises(summary) else ""
     return [
         ("peak stress", [stress_text(summary.peak_stress_pa, section) + rises]),
-        ("displacement at peak", [_number(summary.displacement_at_peak_m, 1e3, "mm")]),
+        ("displacement at peak", [number_text(summary.displacement_at_peak_m, 1e3, "mm")]),
+        *_lowest_rows(summary),
         ("stress at the end", [stress_text(summary.final_stress_pa, section)]),
+    ]
+
+
+def _lowest_rows(summary: Summary) -> Rows:
+    """The peak to the other side, of a drive that turns back."""
+    lowest = summary.lowest_stress_pa
+    if not summary.cycles or lowest is None or lowest >= 0.0:
+        return []
+    return [
+        ("lowest stress", [stress_text(lowest, summary.section_m2)]),
+        ("displacement there", [number_text(summary.displacement_at_lowest_m, 1e3, "mm")]),
     ]
 
 
@@ -211,19 +223,11 @@ def _rest_rows(summary: Summary) -> Rows:
     """Of a scene without a drive: how far the dead loads have settled, if they do, and what the supports bear at the
     end."""
     unbalanced = summary.unbalanced_after_settling
-    left = [_number(unbalanced, 1.0, "of the dead loads still unbalanced")]
+    left = [number_text(unbalanced, 1.0, "of the dead loads still unbalanced")]
     return [
         *([] if unbalanced is None else [("settling", left)]),
         ("reactions x, y, z", reaction_lines(summary.reactions) or ["no supports"]),
     ]
-
-
-def stress_text(stress: float | None, section: float | None) -> str:
-    """A stress (Pa), and the force that it stands for, with the section (m2) between them."""
-    words = _number(stress, 1e-6, "MPa")
-    if stress is None or section is None:
-        return words
-    return f"{words} (force {1e-3 * stress * section:.4g} kN over a section of {section:.4g} m2)"
 
 
 def cycles_text(cycles: list[dict[str, Any]]) -> str:
@@ -308,8 +312,8 @@ def branch_text(led: CollapseBranch) -> str:
 def gauge_text(readings: Readings, driven: bool = True) -> str:
     """What a gauge showed; without a drive there is no peak."""
     if readings.unit is not None:
-        return f"{_number(readings.final, 1.0, readings.unit)} at the end"
-    at_peak, final = _number(readings.at_peak_m, 1e3, "mm"), _number(readings.final_m, 1e3, "mm")
+        return f"{number_text(readings.final, 1.0, readings.unit)} at the end"
+    at_peak, final = number_text(readings.at_peak_m, 1e3, "mm"), number_text(readings.final_m, 1e3, "mm")
     return f"{at_peak} at the peak, {final} at the end" if driven else f"{final} at the end"
 
 
@@ -317,8 +321,8 @@ def pressed_text(summary: Summary) -> str:
     """The largest compression of a contact and of the mean of a unit, beside the strength where one is checked."""
     share, mean = summary.compression_over_strength, summary.unit_compression_max_pa
     checked = "" if share is None else f", {share:.3g} of its strength"
-    of_units = f", {_number(mean, 1e-6, 'MPa')} in the mean of a unit" if mean else ""
-    return f"{_number(summary.compression_max_pa, 1e-6, 'MPa')} at most in a contact{checked}{of_units}"
+    of_units = f", {number_text(mean, 1e-6, 'MPa')} in the mean of a unit" if mean else ""
+    return f"{number_text(summary.compression_max_pa, 1e-6, 'MPa')} at most in a contact{checked}{of_units}"
 
 
 def loads_text(summary: Summary) -> str:
@@ -365,10 +369,6 @@ def sudden_text(summary: Summary) -> str:
         f"{what} at {1e3 * largest.displacement_m:.4g} mm, {place}; together they released "
         f"{_share(summary.released_over_dissipated)} of all energy that was lost"
     )
-
-
-def _number(value: float | None, factor: float, unit: str) -> str:
-    return "not known" if value is None else f"{value * factor:.4g} {unit}"
 
 
 def _share(value: float | None, digits: int = 2) -> str:

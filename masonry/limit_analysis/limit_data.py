@@ -110,7 +110,7 @@ class LimitData:
             "scene": self.scene.name,
             "factor": self.factor,
             "unit": self.unit or "1",
-            "is": "factor of safety" if self.is_safety else "load factor",
+            "is": "factor of safety" if self.is_safety else "peak force" if self.unit == "N" else "load factor",
             "of": self.words,
             "assumed": self.assumed,
             "bound": self.bound,

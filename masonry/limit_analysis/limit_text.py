@@ -4,6 +4,7 @@ from math import inf
 
 import numpy as np
 
+from masonry.judgement.words import stress_text
 from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.runtime.tables import Rows, aligned
@@ -15,14 +16,21 @@ def result_text(result: LimitData) -> str:
     rows: Rows = [
         ("scene", [result.title]),
         ("assumed", [result.assumed]),
-        (_head(result), [f"{result.factor:.6g} {result.unit}".rstrip() + _angle(result)]),
+        (head_of(result), [factor_words(result) + _angle(result)]),
         ("of", [result.words]),
         ("which is", [result.bound]),
     ]
     if result.envelope is not None:
         rows.insert(4, ("least of", _positions(result.envelope)))
     if result.least is not None:
-        rows.insert(3, ("least", [f"{result.least:.6g} {result.unit}; between the two there is an equilibrium"]))
+        section = result.specimen.section
+        rows.insert(
+            3,
+            (
+                "lowest stress",
+                [f"{stress_text(result.least / section, section)}; between both there is an equilibrium"],
+            ),
+        )
     if result.with_dilation is not None:
         some = f"{result.with_dilation:.6g}: so much joints balance that dilate as they slide"
         every = "none: joints that dilate balance every factor"
@@ -47,8 +55,18 @@ def result_text(result: LimitData) -> str:
     return aligned(rows)
 
 
-def _head(result: LimitData) -> str:
-    return "factor of safety" if result.is_safety else "load factor"
+def head_of(result: LimitData) -> str:
+    """What the factor is; of a force of the drive, the peak that a run finds."""
+    if result.is_safety:
+        return "factor of safety"
+    return "peak stress" if result.unit == "N" else "load factor"
+
+
+def factor_words(result: LimitData) -> str:
+    """The factor; of a force of the drive as a run tells its peak."""
+    if result.unit == "N":
+        return stress_text(result.factor / result.specimen.section, result.specimen.section)
+    return f"{result.factor:.6g} {result.unit}".rstrip()
 
 
 def _angle(result: LimitData) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from geometry.blocks import Joints
 from masonry.drawings.road_drawing import draw_road
 from masonry.limit_analysis.limit_data import LimitData
+from masonry.limit_analysis.limit_text import factor_words, head_of
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
@@ -98,9 +99,8 @@ def _middles(joints: Joints, between: UnitJoints) -> np.ndarray:
 
 
 def _factor(result: LimitData) -> str:
-    word = "factor of safety" if result.is_safety else "load factor"
     ending = " (no bound)" if result.with_dilation is not None else ""
-    return f"{word} {result.factor:.5g} {result.unit}".rstrip() + ending
+    return f"{head_of(result)} {factor_words(result)}{ending}"
 
 
 def _is_floor(result: LimitData) -> np.ndarray:

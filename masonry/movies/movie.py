@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from masonry.curves.collapse_curve import FACTOR_LABEL, factor_paths, is_collapse_curve
 from masonry.curves.curve_axes import curve_axes, without_blows
 from masonry.curves.settling_curve import COLOURS, across, movements
 from masonry.errors import SceneError
@@ -132,6 +133,10 @@ def paths_of(result: "ResultData") -> tuple[list[CurveLine], str, str]:
         drawn = curve_axes(result)
         line = CurveLine("at the drive", rows["step"], drawn.across, rows["stress"] * drawn.factor)
         return [line], drawn.label, f"{drawn.name} [{drawn.unit}]"
+    if is_collapse_curve(result):
+        lines = factor_paths(result)
+        label = plain(f"{lines[0].name} [mm]" if len(lines) == 1 else "displacement [mm]")
+        return [CurveLine(line.name, line.steps, line.across, line.factor) for line in lines], label, FACTOR_LABEL
     over, label = across(result)
     moved = movements(result).items()
     return (

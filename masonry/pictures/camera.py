@@ -52,9 +52,11 @@ def camera_of(view: str, specimen: Specimen, moved: Sequence[np.ndarray] = ()) -
 
 
 def usual_view(result: "ResultData") -> str:
-    """The view of a result where none is asked for: the side, where in large displacement it falls along what the front
-    looks along, or swings that way as the ground shakes; else the front."""
-    if not result.is_large:
+    """The view of a result where none is asked for: the side, where it falls along what the front looks along, or
+    swings that way as the ground shakes; else the front."""
+    grown = result.summary.collapse_load
+    gives_way = grown is not None and grown.falls is not None
+    if not (result.is_large or gives_way):
         return "front"
     blocks, moved = result.specimen.blocks, [frame.corners for frame in result.history.frames]
     front = camera_of("front", result.specimen, moved)
@@ -62,7 +64,7 @@ def usual_view(result: "ResultData") -> str:
     farthest = np.max([np.abs(corners[own]).max(axis=0) for corners in moved], axis=0, initial=0.0)
     level = farthest * [1.0, 1.0, 0.0]
     along, across = (float(level @ np.abs(direction)) for direction in (front.right, front.toward))
-    least = 0.0 if result.is_shaken else FALLS * front.size
+    least = 0.0 if result.is_shaken or gives_way else FALLS * front.size
     return "side" if across > max(least, 2.0 * along) else "front"
 
 

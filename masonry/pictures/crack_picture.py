@@ -16,7 +16,7 @@ from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE
-from masonry.results.frame_choice import at_peak, moment, without_noise
+from masonry.results.frame_choice import at_stronger_side, moment, without_noise
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -44,11 +44,12 @@ def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
 
 
 def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
-    """The frame nearest to the peak and the last one; one only where they are the same."""
+    """The frame nearest to the peak, of a drive that turns back to the stronger side, and the last one; one only where
+    they are the same."""
     frames = result.history.frames
     if not frames:
         return []
-    peak, last = at_peak(result), frames[-1]
+    peak, last = at_stronger_side(result), frames[-1]
     return [("at the end", last)] if peak is last else [("at the peak", peak), ("at the end", last)]
 
 

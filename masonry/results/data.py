@@ -116,9 +116,10 @@ class ResultData:
     @property
     def curve(self) -> "DataFrame":
         """The rows, one a moment, in SI units (`curve.attrs["units"]`): `curve["displacement"]`, `curve["stress"]`,
-        gauges, energies. A table of pandas; without pandas a SceneError, and `history.rows` has the same columns.
+        gauges, energies; the first two where there is a drive. A table of pandas; without pandas a SceneError, and
+        `history.rows` has the same columns.
         """
-        return table_of(self.history)
+        return table_of(self.history, self.has_drive)
 
     @property
     def peak(self) -> Peak:

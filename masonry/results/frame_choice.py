@@ -79,6 +79,15 @@ def at_peak(result: "ResultData") -> Frame:
     return _nearest(frames, rows["step"][peak_row(rows)])
 
 
+def at_stronger_side(result: "ResultData") -> Frame:
+    """The same; of a drive that turns back the frame nearest to its lowest stress, where that is the larger one."""
+    lowest = result.summary.lowest_stress_pa
+    rows = result.standing_rows
+    if not result.summary.cycles or lowest is None or -lowest <= result.peak.stress or not len(rows.get("stress", ())):
+        return at_peak(result)
+    return _nearest(result.history.frames, rows["step"][int(np.argmin(rows["stress"]))])
+
+
 def _nearest(frames: list[Frame], step: float) -> Frame:
     return min(frames, key=lambda frame: abs(frame.step - step))
 

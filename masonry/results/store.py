@@ -29,7 +29,7 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
     result = result.finite()
     with WholeFiles(folder) as files:
         archive.write(files.new("history.h5"), result)
-        files.text("curve.csv", csv_text(result.history))
+        files.text("curve.csv", csv_text(result.history, result.has_drive))
         files.text("resultants.csv", resultants_csv(result.resultants))
         files.text("scene.toml", result.scene_toml)
         files.text("run.log", "".join(line + "\n" for line in [*result.log, f"time: {result.summary.time}"]))

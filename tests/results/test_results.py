@@ -86,7 +86,7 @@ def test_every_row_of_the_history_file_has_its_unit(tmp_path):
 
 
 def test_a_failure_in_the_middle_leaves_no_file_and_no_rest(tmp_path, monkeypatch):
-    monkeypatch.setattr("masonry.results.store.csv_text", lambda rows: 1 / 0)
+    monkeypatch.setattr("masonry.results.store.csv_text", lambda *rows: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         sample().save(tmp_path)
     assert list(tmp_path.iterdir()) == []
