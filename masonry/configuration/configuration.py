@@ -73,6 +73,9 @@ class Configuration(Protocol):
         """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
         they are."""
 
+    def patch_compressions(self) -> np.ndarray:
+        """(R,) Pa, the largest compression of a point of patches now, by which contact table serves them."""
+
     def rounding(self, kinetic: float) -> float:
         """N: forces below tell of the rounding of velocities alone; kinetic, the largest energy (J)."""
 

@@ -6,6 +6,7 @@ from math import sqrt
 import numpy as np
 
 from masonry.configuration.chunk import Chunk, begin_at
+from masonry.configuration.compressions import patch_compressions
 from masonry.configuration.contacts import (
     crushing_of,
     look_at_contacts,
@@ -169,6 +170,9 @@ class LargeDisplacement:
         self._overlap(width)()
         a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
         return float(self.deepest_overlap[0]), (int(a), int(b))
+
+    def patch_compressions(self) -> np.ndarray:
+        return patch_compressions(self.parts.near)
 
     def rounding(self, kinetic: float) -> float:
         mass = sum(float(of_kind[:, 0].sum()) for of_kind in self.model.masses.values())

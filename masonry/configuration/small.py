@@ -113,6 +113,9 @@ class SmallDisplacement:
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         return 0.0, (0, 0)
 
+    def patch_compressions(self) -> np.ndarray:
+        return np.zeros(0)
+
     def rounding(self, kinetic: float) -> float:
         return 0.0
 

@@ -82,15 +82,15 @@ def write_strain(q, axes, which, shift, gradient):
 def moved(place, arm, shift, gradient):
     """Places (B, K, 3) of corners that are moved by shift (B, 3) and gradient (B, 3, 3) times arm (B, K, 3); and the
     largest component of each block's displacements (B,)."""
-    found, reach = np.empty(arm.shape), np.zeros(len(arm))
+    now, reach = np.empty(arm.shape), np.zeros(len(arm))
     for b in range(arm.shape[0]):
         for k in range(arm.shape[1]):
             x, y, z = arm[b, k, 0], arm[b, k, 1], arm[b, k, 2]
             for i in range(3):
                 displacement = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
-                found[b, k, i] = place[b, k, i] + displacement
+                now[b, k, i] = place[b, k, i] + displacement
                 reach[b] = max(reach[b], abs(displacement))
-    return found, reach
+    return now, reach
 
 
 def distinct(points: np.ndarray) -> np.ndarray:

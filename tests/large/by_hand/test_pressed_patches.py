@@ -17,7 +17,7 @@ NOTHING = View(Seen(*np.zeros((4, 0))))
 def compression(joint: Joint) -> float:
     pressed = PressedPatches(joint.model)
     pressed.look(joint.model, NOTHING, 0)
-    return float(pressed.found()["patch_compression"].max())
+    return float(pressed.pressed.max())
 
 
 @pytest.mark.parametrize(("way", "origin"), [(np.eye(3), np.zeros(3)), (ASKEW, FAR)])

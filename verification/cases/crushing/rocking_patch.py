@@ -8,7 +8,7 @@
      /______/   end of what presses         F = N (L/2 - x + (x - a) cos th)/z
     __________
 
-A patch is found anew as the block turns, and its faces keep what its points crushed. These lie on rings round its
+A patch is looked for again as the block turns, and its faces keep what its points crushed. These lie on rings round its
 middle, twenty along an edge: a toe is a step of some of them, and the force is off by 1 %. The energy of crushing by
 the stress block, fc t th xp^2/2, wants far more points: it is 30 % too large with these, 60 % with ten.
 
@@ -59,7 +59,7 @@ def run() -> Findings:
                    REASON)  # fmt: skip
     pressed = result.summary.compression_max_pa or 0.0
     findings.check("largest compression", "Pa", pressed, STRENGTH, "closed form", 1e-9, 1e-10,
-                   "to what the return to the cut-off is found")  # fmt: skip
+                   "the accuracy of the return to the cut-off")  # fmt: skip
     by_hand = STRENGTH * THICKNESS * turn[-1] * 0.5 * float(crushed_length(turn[-1:])[0]) ** 2
     share = float(crushing[-1]) / by_hand
     findings.at_most("energy of crushing over that of the stress block", "", share, 1.35, REASON)
