@@ -82,14 +82,14 @@ def list_scenes(words: argparse.Namespace) -> int:
 
 
 def plot_results(words: argparse.Namespace) -> int:
-    """`masonry plot`: curve.png and cracks.png again, from summary.json and history.h5."""
+    """`masonry plot`: curve.png and cracks.png again, or as PDF or SVG, from summary.json and history.h5."""
     from masonry.laboratory.result import load_result
     from masonry.laboratory.text import paths_text
     from masonry.runtime.folder import writing
 
     result = load_result(words.folder)
     with writing(words.folder, "pictures"):
-        paths = result.save_pictures(words.folder)
+        paths = result.save_pictures(words.folder, words.format)
     print(paths_text(paths))
     return OK
 

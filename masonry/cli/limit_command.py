@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 
 from masonry.errors import SceneError, visible
-from masonry.runtime.shell import OK, Parser
+from masonry.runtime.shell import OK, Parser, add_format
 
 VIEWS = ("front", "iso")
 
@@ -35,6 +35,7 @@ def parser() -> Parser:
     words.add_argument("--at", type=float, default=0.0, metavar="FACTOR", help="load factor for --safety (default 0)")
     words.add_argument("--linear", type=int, metavar="N", help="in space: friction pyramids of N sides, not cones")
     words.add_argument("--points", choices=("corners", "scene"), default="corners", help="default corners of joints")
+    add_format(words)
     return words
 
 
@@ -64,7 +65,7 @@ def main(arguments: list[str] | None = None) -> int:
         return OK
     name = f"{scene_name(words.scene)}-limit"
     with claimed(name, words.out, overwrite=words.overwrite) as folder, writing(folder):
-        paths = result.save(folder, words.view)
+        paths = result.save(folder, words.view, words.format)
     if not words.json:
         print("\n".join(visible(f"{path}") for path in paths))
     return OK

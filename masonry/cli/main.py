@@ -27,6 +27,7 @@ from masonry.runtime.shell import (
     STOPPED,
     USAGE,
     Parser,
+    add_format,
     complain,
     flush_errors,
     have_streams,
@@ -79,6 +80,7 @@ def parser() -> Parser:
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
     plot = added.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
+    add_format(plot)
     plot.set_defaults(action=commands.plot_results)
     for name, (_, words) in APART.items():
         added.add_parser(name, help=words, add_help=False)

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 from masonry.errors import visible
-from masonry.runtime.shell import OK, Parser
+from masonry.runtime.shell import OK, Parser, add_format
 
 VIEWS = ("front", "back", "side", "iso")
 
@@ -33,6 +33,7 @@ def parser() -> Parser:
     words.add_argument(
         "--between", type=int, nargs=2, metavar=("I", "J"), help="the modes that have the ratio (default 1 and 3)"
     )
+    add_format(words)
     return words
 
 
@@ -53,7 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
         return OK
     name = f"{scene_name(words.scene)}-modes"
     with claimed(name, words.out, overwrite=words.overwrite) as folder, writing(folder):
-        paths = result.save(folder, words.view)
+        paths = result.save(folder, words.view, words.format)
     if not words.json:
         print("\n".join(visible(f"{path}") for path in paths))
     return OK

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from masonry.errors import SceneError, visible
 from masonry.runtime.named_file import require_free
-from masonry.runtime.shell import OK, Parser
+from masonry.runtime.shell import OK, Parser, add_format
 
 VIEWS = ("front", "back", "side", "iso")
 
@@ -21,13 +21,14 @@ def parser() -> Parser:
         description="Draw the cracks of a folder of results at a moment, or with --geometry the specimen of a scene.",
     )
     words.add_argument("source", metavar="DIR|SCENE", help="a folder of results; with --geometry a scene")
-    words.add_argument("--out", type=Path, metavar="FILE.png", help="default DIR/STEP-VIEW.png or SCENE-geometry.png")
-    words.add_argument("--overwrite", action="store_true", help="replace FILE.png, even if masonry did not draw it")
+    words.add_argument("--out", type=Path, metavar="FILE", help=".png, .pdf or .svg (default DIR/STEP-VIEW.png)")
+    words.add_argument("--overwrite", action="store_true", help="replace FILE, even if masonry did not draw it")
     words.add_argument(
         "--view",
         choices=VIEWS,
         help="default front, or side where it falls that way; of a scene: front or iso, by where its drive moves",
     )
+    add_format(words)
     results = words.add_argument_group("of a folder of results")
     results.add_argument(
         "--step",
@@ -92,7 +93,7 @@ def _of_scene(words: argparse.Namespace) -> tuple[Path, str]:
     from masonry.drawings.geometry_picture import draw_geometry
     from masonry.runtime.folder import scene_name
 
-    out = words.out or Path(f"{scene_name(words.source)}-geometry.png")
+    out = words.out or Path(f"{scene_name(words.source)}-geometry.{words.format}")
     require_free(out, words.overwrite)
     loaded = scene.load(words.source, words.overrides)
     return draw_geometry(loaded, out, words.view), ""
@@ -106,6 +107,6 @@ def _of_results(words: argparse.Namespace) -> tuple[Path, str]:
     result, step = load_result(words.source), words.step or "peak"
     view = words.view or usual_view(result)
     name = re.sub(r"[^\w.+]+", "-", re.sub(r"^\s*-", "minus ", step)).strip("-")
-    out = words.out or Path(words.source) / f"{name}-{view}.png"
+    out = words.out or Path(words.source) / f"{name}-{view}.{words.format}"
     require_free(out, words.overwrite)
     return out, draw_frame(result, out, step, view, words.scale)

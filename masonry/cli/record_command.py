@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.runtime.named_file import require_free
+from masonry.runtime.named_file import require_free, require_picture
 from masonry.runtime.shell import OK, Parser
 
 EPILOG = "The keys are those of [ground.made] in a scene: docs/scene.md, docs/fragility.md."
@@ -37,8 +37,8 @@ def main(arguments: list[str] | None = None) -> int:
     if words.file.suffix != ".csv":
         raise SceneError(f"'{words.file}': the record is a .csv file; nearest: '{words.file.stem or 'record'}.csv'")
     plot = None if words.plot is None else Path(words.plot or words.file.with_suffix(".png"))
-    if plot is not None and plot.suffix != ".png":
-        raise SceneError(f"--plot '{plot}': the picture is a .png file; nearest: '{plot.stem or 'record'}.png'")
+    if plot is not None:
+        require_picture(plot, "--plot")
     for path in filter(None, (words.file, plot)):
         require_free(path, words.overwrite)
     names = COMPONENTS[: words.components]
@@ -104,9 +104,9 @@ def _draw(path: Path, title: str, record: Any) -> None:
     from geometry.files.atomic import whole_file
     from masonry.curves.record_picture import record_figure
     from masonry.ground.ground_motion import from_acceleration
-    from masonry.pictures.style import write_png
+    from masonry.pictures.style import write_picture
     from masonry.runtime.folder import writing
 
     motion = from_acceleration(record.time, record.acceleration)
     with writing(path), whole_file(path) as beside:
-        write_png(record_figure(title, motion, record.spectrum, record.target), beside)
+        write_picture(record_figure(title, motion, record.spectrum, record.target), beside)

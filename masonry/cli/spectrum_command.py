@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.runtime.shell import OK, Parser
+from masonry.runtime.shell import OK, Parser, add_format
 
 
 def parser() -> Parser:
@@ -20,6 +20,7 @@ def parser() -> Parser:
     words.add_argument("folder", type=Path, metavar="DIR", help="a folder of results")
     words.add_argument("--of", action="append", default=[], metavar="NAME", help="a gauge, or ground_x; default all")
     words.add_argument("--damping", default="5 %", metavar="SHARE", help="of the critical: '5 %%' (default) or 0.05")
+    add_format(words)
     return words
 
 
@@ -31,7 +32,7 @@ def main(arguments: list[str] | None = None) -> int:
     from masonry.curves.response_spectra import spectra_csv, spectra_of
     from masonry.curves.spectrum_picture import spectra_figure
     from masonry.laboratory.result import load_result
-    from masonry.pictures.style import write_png
+    from masonry.pictures.style import write_picture
     from masonry.rows.columns import GRAVITY
     from masonry.runtime.folder import writing
 
@@ -39,14 +40,14 @@ def main(arguments: list[str] | None = None) -> int:
     spectra = spectra_of(result, tuple(words.of), damping)
     with writing(words.folder, "spectra"), WholeFiles(words.folder) as files:
         files.text("spectrum.csv", spectra_csv(spectra))
-        write_png(spectra_figure(result, spectra), files.new("spectrum.png"))
+        write_picture(spectra_figure(result, spectra), files.new(f"spectrum.{words.format}"))
     for name, answers, shortest in spectra:
         most = int(np.argmax(answers.pseudo_acceleration))
         print(
             f"{name}: {answers.pseudo_acceleration[most] / GRAVITY:.3g} g at most, at {answers.periods[most]:.3g} s; "
             f"rows show periods from {shortest:.2g} s on"
         )
-    print(f"{words.folder / 'spectrum.csv'}\n{words.folder / 'spectrum.png'}")
+    print(f"{words.folder / 'spectrum.csv'}\n{words.folder / f'spectrum.{words.format}'}")
     return OK
 
 

@@ -67,7 +67,7 @@ def sensitivity(
 def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
     """Table and picture, all or none; the picture is left out where no run left a curve."""
     from masonry.comparison.picture import figure_of
-    from masonry.pictures.style import write_png
+    from masonry.pictures.style import write_picture
 
     with writing(folder):
         (folder / PICTURE).unlink(missing_ok=True)
@@ -75,4 +75,4 @@ def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
             files.text(CSV, study_table.as_csv(rows))
             files.text(TABLE, study_table.as_json(rows))
             if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):
-                write_png(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))
+                write_picture(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))

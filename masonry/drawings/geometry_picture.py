@@ -13,12 +13,12 @@ from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
 from masonry.drawings.road_drawing import draw_road
-from masonry.errors import SceneError
 from masonry.pictures.camera import Camera, camera_of, with_less_floor
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import visible_pieces
-from masonry.pictures.style import plain, write_png
+from masonry.pictures.style import plain, write_picture
+from masonry.runtime.named_file import require_picture
 from masonry.scene import Scene
 
 WIDTH = 11.0
@@ -28,19 +28,18 @@ IN_SPACE = ("vault", "dome", "multi-leaf")
 
 
 def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
-    """Write the picture (.png) of a scene's specimen, whole or not at all; returns the path.
+    """Write the picture (.png, .pdf or .svg) of a scene's specimen, whole or not at all; returns the path.
 
     view: "front", or "iso" from the front, the right and above; by default iso where the drive moves, or a tilt leans,
     across the front, and for vaults, domes and walls of several leaves.
-    Raises SceneError for a path that is no .png or cannot be written, and for a scene that cannot be built.
+    Raises SceneError for a path of another suffix or cannot be written, and for a scene that cannot be built.
     """
     path = Path(path)
-    if path.suffix != ".png":
-        raise SceneError(f"--out '{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
+    require_picture(path, "--out")
     specimen, joints = joined(scene)
     figure = geometry_figure(scene, specimen, joints, view)
     with whole_file(path) as beside:
-        write_png(figure, beside)
+        write_picture(figure, beside)
     return path
 
 

@@ -7,19 +7,19 @@ from typing import Any
 from geometry.files.atomic import whole_file
 from masonry.drawings.crushing_portrait import CrushingPortrait
 from masonry.drawings.law_portrait import Portrait
-from masonry.errors import SceneError
-from masonry.pictures.style import MEGA, MILLI, plain, write_png
+from masonry.pictures.style import MEGA, MILLI, plain, write_picture
+from masonry.runtime.named_file import require_picture
 
 COLOURS = ("#4a90c2", "#1f3b5c", "#b2182b")
 FRACTURE, FRICTION = "#d7301f", "#e07b00"
 
 
 def draw_law(name: str, portrait: Portrait, path: Path) -> Path:
-    """Write the picture (.png), whole or not at all; returns the path. Raises SceneError where it cannot be written."""
-    if path.suffix != ".png":
-        raise SceneError(f"--plot '{path}': the picture is a .png file; nearest: '{path.stem or 'law'}.png'")
+    """Write the picture (.png, .pdf or .svg), whole or not at all; returns the path. Raises SceneError where it
+    cannot be written."""
+    require_picture(path, "--plot")
     with whole_file(path) as beside:
-        write_png(law_figure(name, portrait), beside)
+        write_picture(law_figure(name, portrait), beside)
     return path
 
 

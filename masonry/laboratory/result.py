@@ -38,25 +38,28 @@ class Result(ResultData):
         """Write the files of numbers and words only: see results.store.save_numbers."""
         return store.save_numbers(self, folder)
 
-    def save_pictures(self, folder: Path) -> dict[str, Path]:
-        """Write curve.png and cracks.png only; returns file name -> path."""
-        return {name: self.save_picture(folder, name) for name in PICTURES}
+    def save_pictures(self, folder: Path, form: str = "png") -> dict[str, Path]:
+        """Write curve.png and cracks.png only, or as "pdf" or "svg"; returns file name -> path."""
+        paths = [self.save_picture(folder, name, form) for name in PICTURES]
+        return {path.name: path for path in paths}
 
-    def save_picture(self, folder: Path, name: str) -> Path:
-        """Write one of PICTURES, whole or not at all."""
+    def save_picture(self, folder: Path, name: str, form: str = "png") -> Path:
+        """Write one of PICTURES, whole or not at all; in another form under its name."""
+        path = (folder / name).with_suffix(f".{form}")
         with WholeFiles(folder) as pictures:
-            getattr(self, PICTURES[name])(pictures.new(name))
-        return folder / name
+            getattr(self, PICTURES[name])(pictures.new(path.name))
+        return path
 
     def plot(self, path: Path | str | None = None) -> "Figure":
-        """Draw the curve and the energy ledger: to a PNG file, or as a figure that a notebook shows."""
+        """Draw the curve and the energy ledger: to a .png, .pdf or .svg file, or as a figure that a notebook shows."""
         from masonry.curves import curve
         from masonry.pictures import style
 
         return style.drawn(curve.curve_figure(self), path)
 
     def picture(self, path: Path | str | None = None) -> "Figure":
-        """Draw the deformed specimen with its cracks: to a PNG file, or as a figure that a notebook shows."""
+        """Draw the deformed specimen with its cracks: to a .png, .pdf or .svg file, or as a figure that a notebook
+        shows."""
         from masonry.pictures import crack_picture, style
 
         return style.drawn(crack_picture.cracks_figure(self), path)

@@ -16,6 +16,7 @@ from masonry.laboratory.shaking_text import shaking_rows
 from masonry.results.frame_choice import without_noise
 from masonry.results.reaction_words import reaction_lines
 from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Shaking, Summary
+from masonry.runtime.named_file import FORMATS
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
@@ -115,9 +116,10 @@ def _seconds_text(report: Report) -> str:
 
 def paths_text(paths: dict[str, Path]) -> str:
     """Where to look after a run."""
-    names = {"curve": "curve.png", "crack picture": "cracks.png", "summary": "summary.json"}
-    rows = [(word, [str(paths[name])]) for word, name in names.items() if name in paths]
-    others = [name for name in paths if name not in names.values()]
+    names = {"curve": ("curve", FORMATS), "crack picture": ("cracks", FORMATS), "summary": ("summary", ("json",))}
+    first = {f"{stem}.{form}": word for word, (stem, forms) in names.items() for form in forms}
+    rows = [(word, [str(paths[name])]) for name, word in first.items() if name in paths]
+    others = [name for name in paths if name not in first]
     return aligned([*rows, ("also there", [", ".join(others)])] if others else rows, wrap=False)
 
 

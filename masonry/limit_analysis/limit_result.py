@@ -8,24 +8,24 @@ from masonry.limit_analysis.envelope_picture import envelope_figure, envelope_ta
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
-from masonry.pictures.style import write_png
+from masonry.pictures.style import write_picture
 
 
 class LimitResult(LimitData):
     """The answer of a limit analysis: its numbers are those of LimitData; it prints as `masonry limit` does."""
 
-    def save(self, folder: Path | str, view: str | None = None) -> list[Path]:
+    def save(self, folder: Path | str, view: str | None = None, form: str = "png") -> list[Path]:
         """Write limit.json, mechanism.png and thrust.png, of a vehicle that travels envelope.csv and envelope.png too,
-        all or none; returns their paths."""
-        folder, names = Path(folder), ["limit.json", "mechanism.png", "thrust.png"]
+        all or none; returns their paths. form: of the pictures, "png", "pdf" or "svg"."""
+        folder, names = Path(folder), ["limit.json", f"mechanism.{form}", f"thrust.{form}"]
         with WholeFiles(folder) as files:
             files.text("limit.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
-            write_png(mechanism_figure(self, view), files.new("mechanism.png"))
-            write_png(thrust_figure(self, view), files.new("thrust.png"))
+            write_picture(mechanism_figure(self, view), files.new(names[1]))
+            write_picture(thrust_figure(self, view), files.new(names[2]))
             if self.envelope is not None:
                 files.text("envelope.csv", envelope_table(self.envelope))
-                write_png(envelope_figure(self), files.new("envelope.png"))
-                names += ["envelope.csv", "envelope.png"]
+                names += ["envelope.csv", f"envelope.{form}"]
+                write_picture(envelope_figure(self), files.new(names[-1]))
         return [folder / name for name in names]
 
     def __str__(self) -> str:

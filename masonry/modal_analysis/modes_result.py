@@ -7,21 +7,24 @@ from geometry.files.atomic import WholeFiles
 from masonry.modal_analysis.mode_pictures import modes_figure
 from masonry.modal_analysis.modes_data import ModesData
 from masonry.modal_analysis.modes_text import result_text
-from masonry.pictures.style import write_png
+from masonry.pictures.style import write_picture
 
 
 class ModesResult(ModesData):
     """The modes of a scene: its numbers are those of ModesData; it prints as `masonry modes` does."""
 
-    def save(self, folder: Path | str, view: str | None = None) -> list[Path]:
-        """Write modes.json and, where there are modes, modes.png, all or none; returns their paths."""
+    def save(self, folder: Path | str, view: str | None = None, form: str = "png") -> list[Path]:
+        """Write modes.json and, where there are modes, modes.png, all or none; returns their paths.
+
+        form: of the picture, "png", "pdf" or "svg"
+        """
         folder = Path(folder)
         with WholeFiles(folder) as files:
             files.text("modes.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
             if not len(self.frequencies):
                 return [folder / "modes.json"]
-            write_png(modes_figure(self, view), files.new("modes.png"))
-        return [folder / name for name in ("modes.json", "modes.png")]
+            write_picture(modes_figure(self, view), files.new(f"modes.{form}"))
+        return [folder / name for name in ("modes.json", f"modes.{form}")]
 
     def __str__(self) -> str:
         return result_text(self)

@@ -7,8 +7,9 @@ from geometry.files.atomic import whole_file
 from masonry.errors import SceneError, nearest
 from masonry.pictures.camera import VIEWS
 from masonry.pictures.crack_picture import gallery
-from masonry.pictures.style import plain, write_png
+from masonry.pictures.style import plain, write_picture
 from masonry.results.frame_choice import choose
+from masonry.runtime.named_file import require_picture
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -21,7 +22,7 @@ def draw_frame(
     view: str | None = None,
     times: float | None = None,
 ) -> str:
-    """Write the picture (.png) of the frame nearest to `step`, whole or not at all.
+    """Write the picture (.png, .pdf or .svg) of the frame nearest to `step`, whole or not at all.
 
     step   as masonry.results.frame_choice.choose takes it
     view   "front", "back", "side" or "iso"; by default that which shows how it falls, else the front
@@ -31,13 +32,12 @@ def draw_frame(
     cannot be drawn, and GeometryError where the file cannot be written.
     """
     path = Path(path)
-    if path.suffix != ".png":
-        raise SceneError(f"'{path}': the picture is a .png file; nearest: '{path.stem or 'picture'}.png'")
+    require_picture(path)
     if view is not None and view not in VIEWS:
         raise SceneError(f"view '{view}'; {nearest(view, VIEWS)}")
     chosen = choose(result, step)
     figure = gallery([(chosen.name, result, chosen.frame)], 1, view, times)
     figure.suptitle(plain(result.title), fontsize=13, wrap=True)
     with whole_file(path) as beside:
-        write_png(figure, beside)
+        write_picture(figure, beside)
     return chosen.note

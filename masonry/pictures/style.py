@@ -1,9 +1,9 @@
-"""What all pictures share: titles as they were written, axes, PNG files without a display."""
+"""What all pictures share: titles as they were written, axes, files without a display."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from masonry.runtime.named_file import MARK
+from masonry.runtime.named_file import MARK, require_picture
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -11,17 +11,24 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 MILLI, MEGA = 1e3, 1e-6
+VECTORS = (".pdf", ".svg")
 
 
 def drawn(figure: "Figure", path: Path | str | None) -> "Figure":
-    """The figure, which is also written to a PNG file where one is named."""
+    """The figure, which is also written to a .png, .pdf or .svg file where one is named. Raises SceneError for
+    others."""
     if path is not None:
-        write_png(figure, path)
+        require_picture(Path(path))
+        write_picture(figure, path)
     return figure
 
 
-def write_png(figure: Any, path: Path | str) -> None:
-    """Draw a figure to a PNG file without a display."""
+def write_picture(figure: Any, path: Path | str) -> None:
+    """Draw a figure without a display to a PNG, PDF or SVG file, by the suffix of its path: the same bytes for the same
+    figure, without dates."""
+    if (suffix := Path(path).suffix) in VECTORS:
+        _write_vectors(figure, Path(path), suffix[1:])
+        return
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas = FigureCanvasAgg(figure)
@@ -31,6 +38,17 @@ def write_png(figure: Any, path: Path | str) -> None:
         figure.set_layout_engine("none")
     # savefig would draw once more, to lay it out
     canvas.print_png(path, metadata={"Software": MARK}, pil_kwargs={"compress_level": 3})
+
+
+def _write_vectors(figure: Any, path: Path, form: str) -> None:
+    from matplotlib import rc_context
+
+    date = {"pdf": "CreationDate", "svg": "Date"}[form]
+    with rc_context({"svg.hashsalt": "masonry", "pdf.fonttype": 42}):
+        figure.savefig(path, format=form, metadata={date: None, "Creator": MARK})
+    if form == "pdf":  # what a file is marked by stands at one of its ends
+        with path.open("ab") as file:
+            file.write(f"% {MARK}\n".encode())
 
 
 LONGEST_TITLE = 300

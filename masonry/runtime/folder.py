@@ -11,6 +11,7 @@ from pathlib import Path
 from geometry.files.atomic import is_name, is_unfinished
 from masonry.errors import SceneError
 from masonry.runtime.lock import LOCK, sole
+from masonry.runtime.named_file import FORMATS
 
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
@@ -28,7 +29,8 @@ RESULT_NAMES = (
 """A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
 WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
-    *("curve.png", "cracks.png", "mechanism.png", "thrust.png", "modes.png", "checkpoint"),
+    *(f"{picture}.{form}" for picture in ("curve", "cracks", "mechanism", "thrust", "modes") for form in FORMATS),
+    "checkpoint",
     *("sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
 }
 """What commands write into a folder of results besides."""

@@ -3,12 +3,21 @@
 import os
 from pathlib import Path
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, closest
 
 MARK = "Drawn by masonry-dem"
 """What pictures and movies hold, so that one can be drawn again over the last one."""
+FORMATS = ("png", "pdf", "svg")
+"""Of pictures."""
 ENDS = 4096
 """Bytes at the beginning and the end of a file, among which the mark is."""
+
+
+def require_picture(path: Path, option: str = "") -> None:
+    """Raise SceneError for the path of a picture whose suffix is none of FORMATS."""
+    if path.suffix[1:] not in FORMATS:
+        near = f"{path.stem or 'picture'}.{closest(path.suffix[1:], FORMATS) or FORMATS[0]}"
+        raise SceneError(f"{option} '{path}': a picture is a .png, .pdf or .svg file; nearest: '{near}'".strip())
 
 
 def require_free(path: Path, overwrite: bool) -> None:

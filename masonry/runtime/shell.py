@@ -9,7 +9,8 @@ import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
 
-from masonry.errors import did_you_mean, visible
+from masonry.errors import did_you_mean, nearest, visible
+from masonry.runtime.named_file import FORMATS
 
 ENDING = (signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else []))
 """Signals that ask a process to end: of a system that shuts down, of a terminal that is closed."""
@@ -34,6 +35,20 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         self.exit(complain(f"{message}; see `{self.prog} --help`", USAGE))
+
+
+def add_format(words: argparse.ArgumentParser) -> None:
+    """The option of all commands that draw."""
+    words.add_argument(
+        "--format", type=picture_format, default=FORMATS[0], metavar="|".join(FORMATS), help="of pictures (default png)"
+    )
+
+
+def picture_format(text: str) -> str:
+    """One of FORMATS."""
+    if text not in FORMATS:
+        raise argparse.ArgumentTypeError(f"'{text}'; {nearest(text, FORMATS)}")
+    return text
 
 
 def complain(message: str | Sequence[str], code: int) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.pictures.style import MEGA, MILLI, plain, write_png
+from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
 from masonry.runtime.text_files import text_of
 from masonry.sweep.planned_runs import Planned
@@ -58,7 +58,7 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
     left_out = f", {len(rows) - len(shown)} without a curve" if len(shown) < len(rows) else ""
     axes.set_title(plain(f"{title}: {len(shown)} runs{left_out}"))
     with WholeFiles(folder) as files:
-        write_png(figure, files.new(PICTURE))
+        write_picture(figure, files.new(PICTURE))
 
 
 def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:

@@ -45,7 +45,7 @@ def test_the_command_writes_a_picture_and_says_where(tmp_path, capsys, view):
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        (["--geometry", "--out", "wall.jpg"], "wall.jpg.*a .png file; nearest: 'wall.png'"),
+        (["--geometry", "--out", "wall.jpg"], "wall.jpg.*a .png, .pdf or .svg file; nearest: 'wall.png'"),
         (["--geometry", "--out", "no/such/folder/wall.png"], "cannot write.*No such file"),
         (["--geometry", "--view", "back"], "--view back is for a folder of results"),
         (["--geometry", "--view", "side"], "--view side is for a folder of results"),
@@ -69,7 +69,7 @@ def test_a_picture_that_fails_leaves_the_old_one(tmp_path, monkeypatch):
         path.write_bytes(b"half")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("masonry.drawings.geometry_picture.write_png", fail)
+    monkeypatch.setattr("masonry.drawings.geometry_picture.write_picture", fail)
     with pytest.raises(KeyboardInterrupt):
         draw_geometry(load("couplet"), out)
     assert [path.name for path in tmp_path.iterdir()] == ["wall.png"] and out.read_bytes() == b"old"

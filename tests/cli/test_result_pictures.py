@@ -174,7 +174,7 @@ def test_a_crack_comes_out_on_the_front_and_on_top_where_its_joint_ends():
         (["picture", "{run}", "--step", "2 s"], "step '2 s': this run is not in real time"),
         (["picture", "{run}", "--scale", "-3"], "'-3' is not a number from 0"),
         (["picture", "{run}", "--view", "top"], "invalid choice: 'top'"),
-        (["picture", "{run}", "--out", "wall.svg"], "a .png file; nearest: 'wall.png'"),
+        (["picture", "{run}", "--out", "wall.svgz"], "a .png, .pdf or .svg file; nearest: 'wall.svg'"),
         (["picture", "."], "'.' has no summary.json"),
         (["picture", "couplet", "--geometry", "--step", "peak"], "--step is for a folder of results"),
         (["picture", "couplet", "--geometry", "--scale", "2"], "--scale is for a folder of results"),

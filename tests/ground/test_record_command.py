@@ -31,7 +31,7 @@ def test_the_file_holds_the_record_of_the_scene_and_the_picture_is_beside_it(tmp
         (["a.txt", *KEYS], "the record is a .csv file"),
         (["a.csv", "0.3"], "write KEY=VALUE"),
         (["a.csv", *KEYS, "--components", "4"], "1, 2 or 3"),
-        (["a.csv", *KEYS, "--plot", "a.jpg"], "the picture is a .png file"),
+        (["a.csv", *KEYS, "--plot", "a.jpg"], "a picture is a .png, .pdf or .svg file"),
     ],
 )
 def test_wrong_words_are_one_message_and_nothing_is_written(tmp_path, monkeypatch, capsys, words, says):

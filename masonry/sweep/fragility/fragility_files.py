@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from geometry.files.atomic import WholeFiles
-from masonry.pictures.style import plain, write_png
+from masonry.pictures.style import plain, write_picture
 from masonry.sweep.fragility.fragility import QUANTILES, Fragility
 from masonry.sweep.sweep_table import csv_text
 
@@ -21,7 +21,7 @@ def write_fragility(folder: Path, title: str, fragility: Fragility) -> tuple[str
     with WholeFiles(folder) as files:
         files.text(TABLE, csv_text(columns_of(fragility)))
         files.text(NUMBERS, json.dumps(numbers_of(fragility), indent=2, allow_nan=False) + "\n")
-        write_png(fragility_figure(title, fragility), files.new(PICTURE))
+        write_picture(fragility_figure(title, fragility), files.new(PICTURE))
     return TABLE, NUMBERS, PICTURE
 
 
