@@ -73,7 +73,7 @@ def _run(planned: list[Any], folder: Path, words: Any, request: Any) -> int:
     from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
     from masonry.sweep.engine import run_alone
-    from masonry.sweep.sweep_picture import PICTURE, draw
+    from masonry.sweep.pictures.sweep_curves import PICTURE, draw
     from masonry.sweep.sweep_table import PARQUET, TABLE, table_of, verdicts_text, write_table
 
     with sole(folder, DOING), writing(folder):

@@ -3,8 +3,8 @@
 import pytest
 from matplotlib.figure import Figure
 
-from masonry.sweep import sweep_picture
 from masonry.sweep.job import Job
+from masonry.sweep.pictures import sweep_curves as sweep_picture
 from masonry.sweep.planned_runs import Planned
 from masonry.sweep.work import OK
 from tests.ground.test_ground_keys import BLOCK, SINE
