@@ -56,7 +56,7 @@ FLOORS = (
         "masonry.laboratory.summary",
         "masonry.laboratory.remarks",
         "masonry.laboratory",
-        "masonry.sweep",
+        "masonry.sweeps",
         "masonry.comparison",
         "masonry",
         "masonry.cli",

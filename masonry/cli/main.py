@@ -42,7 +42,7 @@ APART = {
     "modes": ("masonry.cli.modes_command", "frequencies, shapes and effective masses of a scene"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
     "record": ("masonry.cli.record_command", "make a record of the ground by seed, of a stated spectrum, as CSV"),
-    "sweep": ("masonry.sweep.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
+    "sweep": ("masonry.sweeps.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
     "sensitivity": ("masonry.comparison.study_command", "run a scene in several ways: what does the answer depend on?"),
     "verify": ("verification.command", "run cases with known answers, and compare"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),

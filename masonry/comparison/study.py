@@ -15,10 +15,10 @@ from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import text_of
 from masonry.scene import Scene, to_toml
-from masonry.sweep.engine import run_alone
-from masonry.sweep.job import Job
-from masonry.sweep.run_store import Row
-from masonry.sweep.work import OK
+from masonry.sweeps.engine import run_alone
+from masonry.sweeps.job import Job
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.work import OK
 
 SCENE, TABLE = "scene.toml", "sensitivity.json"
 DOING = "compares variants of a scene in it"

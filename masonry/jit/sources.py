@@ -20,7 +20,7 @@ COMPILED = (
 def source_hash(folders: tuple[str, ...] = ALL, without: tuple[str, ...] = ()) -> str:
     """Hash (hex) of the sources in some folders; by default all that can change a number in a result.
 
-    without  patterns of paths that are left out, such as "masonry/curves/curve.py" or "masonry/sweep/*"
+    without  patterns of paths that are left out, such as "masonry/curves/curve.py" or "masonry/sweeps/*"
     """
     root = Path(__file__).resolve().parents[2]
     left_out = re.compile("|".join(map(fnmatch.translate, without)) or "(?!)")

@@ -13,7 +13,7 @@ from masonry.comparison import study_table
 from masonry.comparison.picture import figure_of
 from masonry.comparison.study import _deviations
 from masonry.errors import SceneError
-from masonry.sweep import engine
+from masonry.sweeps import engine
 from tests.sweep.samples import marks, mistaken
 
 SHORT = {"drive.accuracy": "10 %", "settle.steps": 300, "confinement": "0.1 MPa"}

@@ -10,8 +10,8 @@ from typing import Any
 from masonry.cli.main import APART, main, parser
 from masonry.laboratory import laboratory
 from masonry.scene import load
-from masonry.sweep.planned_runs import plan
-from masonry.sweep.read import read
+from masonry.sweeps.planned_runs import plan
+from masonry.sweeps.read import read
 from tests.docs.pages import RUN, Block
 
 ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python", ".venv/bin/pip")

@@ -91,7 +91,7 @@ sys.exit(main(sys.argv[1:]))
         ("masonry.importing.importing", "guarded", ["import", "wall.obj", "--out", "scene.toml"]),
         ("masonry.laboratory.laboratory", "run", ["run", "couplet", "--out", "out"]),
         ("verification.paper.gathering", "gather", ["paper", "--out", "out"]),
-        ("masonry.sweep.engine", "run_alone", ["sweep", "sweep.toml", "--out", "out"]),
+        ("masonry.sweeps.engine", "run_alone", ["sweep", "sweep.toml", "--out", "out"]),
     ],
 )
 def test_each_command_says_a_word_and_leaves_nothing_half_done(module, name, words, tmp_path):

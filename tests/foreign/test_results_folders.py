@@ -11,7 +11,7 @@ from masonry.errors import SceneError
 from masonry.movies.movie_file import write_movie
 from masonry.runtime.folder import RESULT_NAMES, WRITTEN, claimed, sweep_up
 from masonry.runtime.named_file import is_marked, require_free
-from masonry.sweep.run_store import Store
+from masonry.sweeps.run_store import Store
 from masonry.timeloop.checkpoint import Checkpoints
 from tests.faults.samples import run
 from tests.results.sample import sample

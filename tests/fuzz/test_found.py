@@ -18,7 +18,7 @@ from masonry.cli.main import main
 from masonry.errors import Faults, SceneError, visible
 from masonry.laboratory.result import load_result
 from masonry.runtime.text_files import json_of
-from masonry.sweep.read import read
+from masonry.sweeps.read import read
 from masonry.timeloop.checkpoint import Checkpoints
 from tests.fuzz import sound
 from verification import records

@@ -46,7 +46,7 @@ def room(tmp_path, monkeypatch, capfd, campaign):
     monkeypatch.setattr("sys.dont_write_bytecode", True)
     for name, most in (LARGE if campaign else SMALL).items():
         monkeypatch.setattr(f"masonry.assembly.size_limits.{name}", most)
-    monkeypatch.setattr("masonry.sweep.engine.work", _no_runs)
+    monkeypatch.setattr("masonry.sweeps.engine.work", _no_runs)
     monkeypatch.setattr("geometry.files.sandbox.begin", Forked)
     monkeypatch.setattr("geometry.files.sandbox.START", START)
     parse("1 furlong", "length", "")  # loads what knows the units, and pickles of its own

@@ -13,7 +13,7 @@ from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
 from masonry.laws.building.factory import build
 from masonry.scene import load, to_toml
-from masonry.sweep.job import Job
+from masonry.sweeps.job import Job
 from tests.laws.own_package import files_of_page, install, law_by_slip, law_in_lanes, law_with_if, on_the_path
 from tests.laws.test_random_paths import corners, legs, numbers, require_dissipation, unhurried
 from verification.fixtures.one_contact import TABLE_1, along, law, walk

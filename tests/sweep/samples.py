@@ -4,8 +4,8 @@ import os
 from pathlib import Path
 from typing import Any
 
-from masonry.sweep.job import Job
-from masonry.sweep.work import RunEnd, compute
+from masonry.sweeps.job import Job
+from masonry.sweeps.work import RunEnd, compute
 
 SHORT: dict[str, Any] = {"settle.steps": 100, "drive.steps": 600, "solver.rows": 20}
 

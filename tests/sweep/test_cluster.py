@@ -8,8 +8,8 @@ import pytest
 
 from masonry.cli.main import main
 from masonry.errors import SceneError
-from masonry.sweep import engine
-from masonry.sweep.cluster import work_on
+from masonry.sweeps import engine
+from masonry.sweeps.cluster import work_on
 from tests.sweep.samples import dying, jobs, marks, text, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
@@ -53,7 +53,7 @@ def test_a_run_that_kills_its_workers_is_a_row_with_its_reason(cluster, tmp_path
 
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "nonsense", "http://127.0.0.1:9", "tcp://x:y"])
 def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch, address):
-    monkeypatch.setattr("masonry.sweep.cluster.PATIENCE", 0.5)
+    monkeypatch.setattr("masonry.sweeps.cluster.PATIENCE", 0.5)
     with pytest.raises(SceneError, match=f"no Dask scheduler answers at '{address}'"):
         engine.run(jobs("0.1 MPa"), tmp_path, scheduler=address)
 
@@ -66,7 +66,7 @@ def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):
 
 def test_nothing_is_written_for_a_sweep_whose_scheduler_does_not_answer(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("masonry.sweep.cluster.PATIENCE", 0.5)
+    monkeypatch.setattr("masonry.sweeps.cluster.PATIENCE", 0.5)
     (tmp_path / "sweep.toml").write_text(text('[grid]\nconfinement = ["0.1 MPa"]\n'), encoding="utf-8")
     assert main(["sweep", "sweep.toml", "--scheduler", "tcp://127.0.0.1:9"]) == 2
     assert "no Dask scheduler answers" in capsys.readouterr().err

@@ -12,7 +12,7 @@ import pytest
 from pyarrow import parquet
 
 from masonry.cli.main import main
-from masonry.sweep.sweep_table import write_table
+from masonry.sweeps.sweep_table import write_table
 from tests.docs.pages import blocks
 from tests.sweep.samples import marks, text, untimed
 

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from masonry.sweep.run_store import Store
+from masonry.sweeps.run_store import Store
 
 
 @pytest.mark.parametrize("doubts", [5, "overlap", [5], [{}], None])

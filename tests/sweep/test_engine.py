@@ -7,11 +7,11 @@ import pytest
 from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
 from masonry.runtime.lock import sole
-from masonry.sweep import engine
-from masonry.sweep.job import SHOWING, Job, names
-from masonry.sweep.run_store import Store
-from masonry.sweep.sweep_folder import DOING
-from masonry.sweep.sweep_table import verdicts_text
+from masonry.sweeps import engine
+from masonry.sweeps.job import SHOWING, Job, names
+from masonry.sweeps.run_store import Store
+from masonry.sweeps.sweep_folder import DOING
+from masonry.sweeps.sweep_table import verdicts_text
 from tests.sweep.samples import SHORT, dying, jobs, marks, mistaken, untimed
 
 FOUR = ("0.1 MPa", "0.2 MPa", "0.3 MPa", "0.4 MPa")
@@ -107,7 +107,7 @@ def test_a_folder_that_cannot_be_written_to_is_said_in_words(tmp_path):
 def test_the_key_tells_the_scene_its_blocks_and_the_sources(tmp_path, monkeypatch):
     one, other = jobs("0.1 MPa", "0.2 MPa")
     assert one.key() == jobs("100 kPa")[0].key() != other.key()
-    monkeypatch.setattr("masonry.sweep.job.source_hash", lambda *_: "others")
+    monkeypatch.setattr("masonry.sweeps.job.source_hash", lambda *_: "others")
     assert jobs("0.1 MPa")[0].key() != one.key()
 
 

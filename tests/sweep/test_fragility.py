@@ -10,12 +10,12 @@ from scipy.stats import binomtest
 
 from masonry.cli.main import main
 from masonry.errors import SceneError
-from masonry.sweep.fragility.fragility import FELL, fragility_of
-from masonry.sweep.fragility.fragility_files import columns_of, numbers_of, write_fragility
-from masonry.sweep.fragility.request import FragilityRequest, read_request
-from masonry.sweep.job import Job
-from masonry.sweep.planned_runs import Planned, plan
-from masonry.sweep.read import read
+from masonry.sweeps.fragility.fragility import FELL, fragility_of
+from masonry.sweeps.fragility.fragility_files import columns_of, numbers_of, write_fragility
+from masonry.sweeps.fragility.request import FragilityRequest, read_request
+from masonry.sweeps.job import Job
+from masonry.sweeps.planned_runs import Planned, plan
+from masonry.sweeps.read import read
 from tests.ground.test_ground_keys import BLOCK
 from tests.sweep.samples import text
 

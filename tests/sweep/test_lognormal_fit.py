@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.optimize import minimize
 from scipy.special import log_ndtr, ndtr
 
-from masonry.sweep.fragility.lognormal_fit import lognormal_fit, why_no_fit
+from masonry.sweeps.fragility.lognormal_fit import lognormal_fit, why_no_fit
 
 MEDIAN, DISPERSION = 0.4, 0.5
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
-from masonry.sweep.planned_runs import plan
-from masonry.sweep.points import points
-from masonry.sweep.read import read
+from masonry.sweeps.planned_runs import plan
+from masonry.sweeps.points import points
+from masonry.sweeps.read import read
 from tests.sweep.samples import text
 
 STRENGTH, COHESION = "contact.unit_unit.tensile_strength", "contact.unit_unit.cohesion"

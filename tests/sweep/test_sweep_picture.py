@@ -3,10 +3,10 @@
 import pytest
 from matplotlib.figure import Figure
 
-from masonry.sweep.job import Job
-from masonry.sweep.pictures import sweep_curves as sweep_picture
-from masonry.sweep.planned_runs import Planned
-from masonry.sweep.work import OK
+from masonry.sweeps.job import Job
+from masonry.sweeps.pictures import sweep_curves as sweep_picture
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.work import OK
 from tests.ground.test_ground_keys import BLOCK, SINE
 
 

@@ -5,8 +5,8 @@ import itertools
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from masonry.sweep import engine
-from masonry.sweep.job import Job
+from masonry.sweeps import engine
+from masonry.sweeps.job import Job
 from verification.paper.experiment import COARSER, QUICK_PERCENT, Done, Experiment, Missing, Run, Section, Shown, claim
 from verification.paper.soundness import careless, soundness
 

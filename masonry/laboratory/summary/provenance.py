@@ -18,7 +18,7 @@ from masonry.laws.building.plugins import plugin_law
 from masonry.runtime.processors import compiled_for
 
 SHOWING = (
-    *("masonry/__main__.py", "masonry/cli/*", "masonry/sweep/*", "masonry/comparison/*", "masonry/importing/*"),
+    *("masonry/__main__.py", "masonry/cli/*", "masonry/sweeps/*", "masonry/comparison/*", "masonry/importing/*"),
     *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*"),
     *("masonry/statics/*", "masonry/limit_analysis/*"),
 )

@@ -11,7 +11,7 @@ import numpy as np
 from masonry.runtime.shell import OK, USAGE
 from masonry.runtime.state_file import write
 from masonry.scene import load, to_toml
-from masonry.sweep.job import Job
+from masonry.sweeps.job import Job
 from tests.fuzz import sound
 from tests.fuzz.attempt import Attempt, kind
 from tests.fuzz.changes import changed_bytes, changed_text, changed_tree

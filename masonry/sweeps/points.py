@@ -6,7 +6,7 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.quantity import KINDS, convert
-from masonry.sweep.read import Sweep, is_number, value_of
+from masonry.sweeps.read import Sweep, is_number, value_of
 
 MOST, MOST_VALUES = 100_000, 5_000_000
 """Runs of one sweep, and values that it sets in all of them together."""

@@ -9,9 +9,9 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest, visible
 from masonry.runtime.tables import columns
-from masonry.sweep.job import Job
-from masonry.sweep.points import points, si
-from masonry.sweep.read import Sweep, Times
+from masonry.sweeps.job import Job
+from masonry.sweeps.points import points, si
+from masonry.sweeps.read import Sweep, Times
 
 RECORD = re.compile(r"ground\.(\d+\.)?record")
 """Keys whose value is a file."""

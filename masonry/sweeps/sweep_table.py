@@ -11,9 +11,9 @@ from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.judgement.catalogue import criteria
 from masonry.judgement.doubt import STOPPED, VERDICTS
-from masonry.sweep.planned_runs import Planned
-from masonry.sweep.points import si
-from masonry.sweep.run_store import Row
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.points import si
+from masonry.sweeps.run_store import Row
 
 TABLE, PARQUET = "sweep.csv", "sweep.parquet"
 HOW = ("status", "verdict", "doubts", "reason", "seconds")

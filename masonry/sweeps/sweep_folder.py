@@ -5,8 +5,8 @@ from typing import Any
 
 from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.lock import LOCK
-from masonry.sweep.read import FRAGILITY, Sweep, read_toml
-from masonry.sweep.sweep_table import TABLE
+from masonry.sweeps.read import FRAGILITY, Sweep, read_toml
+from masonry.sweeps.sweep_table import TABLE
 
 COPY = "sweep.toml"
 DOING = "runs a sweep into it"

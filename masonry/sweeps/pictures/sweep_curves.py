@@ -13,10 +13,10 @@ from masonry.errors import SceneError
 from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
 from masonry.runtime.text_files import text_of
-from masonry.sweep.planned_runs import Planned
-from masonry.sweep.run_store import Row
-from masonry.sweep.sweep_table import swept
-from masonry.sweep.work import OK
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.sweep_table import swept
+from masonry.sweeps.work import OK
 
 PICTURE = "sweep.png"
 LARGEST = 1 << 30

@@ -12,7 +12,7 @@ from masonry.judgement.judgement import judgement_of
 from masonry.results.summary import read_summary
 from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.text_files import json_of
-from masonry.sweep.work import OK, STATUSES, RunEnd
+from masonry.sweeps.work import OK, STATUSES, RunEnd
 
 Row = dict[str, Any]
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
-from masonry.sweep.fragility.fragility import QUANTILES, Fragility
-from masonry.sweep.sweep_table import csv_text
+from masonry.sweeps.fragility.fragility import QUANTILES, Fragility
+from masonry.sweeps.sweep_table import csv_text
 
 TABLE, NUMBERS, PICTURE = "fragility.csv", "fragility.json", "fragility.png"
 BLUE, RED, GREY = "#1f3b5c", "#b2182b", "0.6"

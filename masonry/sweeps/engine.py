@@ -10,10 +10,10 @@ from masonry.errors import SceneError
 from masonry.runtime.lock import sole
 from masonry.runtime.processes import Lost, work
 from masonry.runtime.progress import ProgressLines, Tell
-from masonry.sweep.job import Job, names
-from masonry.sweep.run_store import Row, Store
-from masonry.sweep.sweep_folder import DOING
-from masonry.sweep.work import ERROR, RunEnd, compute
+from masonry.sweeps.job import Job, names
+from masonry.sweeps.run_store import Row, Store
+from masonry.sweeps.sweep_folder import DOING
+from masonry.sweeps.work import ERROR, RunEnd, compute
 
 WORKERS = 2
 
@@ -70,7 +70,7 @@ def _ends(scenes: list[str], workers: int, scheduler: str | None) -> Generator[t
     if scheduler is None:
         ends = work(compute, scenes, workers, math.inf)
     else:
-        from masonry.sweep.cluster import work_on
+        from masonry.sweeps.cluster import work_on
 
         ends = work_on(scheduler, compute, scenes)
     for number, end in ends:

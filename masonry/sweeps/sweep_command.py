@@ -12,8 +12,8 @@ from masonry.errors import SceneError, visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, Parser, tell
-from masonry.sweep.read import FRAGILITY, Sweep, read
-from masonry.sweep.sweep_folder import COPY, DOING, folder_for
+from masonry.sweeps.read import FRAGILITY, Sweep, read
+from masonry.sweeps.sweep_folder import COPY, DOING, folder_for
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
@@ -33,7 +33,7 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry.sweep.planned_runs import listing, plan
+    from masonry.sweeps.planned_runs import listing, plan
 
     words = parser().parse_args(arguments)
     if words.workers < 1:
@@ -45,7 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(listing(planned))
         return OK
     if words.scheduler is not None:
-        from masonry.sweep.cluster import require
+        from masonry.sweeps.cluster import require
 
         require(words.scheduler)
     folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
@@ -60,7 +60,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _request(sweep: Sweep) -> Any:
     """What [fragility] asks for; None where there is no such table."""
-    from masonry.sweep.fragility.request import read_request
+    from masonry.sweeps.fragility.request import read_request
 
     if FRAGILITY not in sweep.raw:
         return None
@@ -72,9 +72,9 @@ def _run(planned: list[Any], folder: Path, words: Any, request: Any) -> int:
     from geometry.files.atomic import WholeFiles
     from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
-    from masonry.sweep.engine import run_alone
-    from masonry.sweep.pictures.sweep_curves import PICTURE, draw
-    from masonry.sweep.sweep_table import PARQUET, TABLE, table_of, verdicts_text, write_table
+    from masonry.sweeps.engine import run_alone
+    from masonry.sweeps.pictures.sweep_curves import PICTURE, draw
+    from masonry.sweeps.sweep_table import PARQUET, TABLE, table_of, verdicts_text, write_table
 
     with sole(folder, DOING), writing(folder):
         for stale in (PARQUET, TABLE, PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
@@ -105,8 +105,8 @@ def _fragility(planned: list[Any], rows: list[Any], folder: Path, words: Any, re
     """The fragility of what was run, where it was asked for: its files are in the folder."""
     if request is None:
         return _FragilityReport()
-    from masonry.sweep.fragility.fragility import fragility_of
-    from masonry.sweep.fragility.fragility_files import write_fragility
+    from masonry.sweeps.fragility.fragility import fragility_of
+    from masonry.sweeps.fragility.fragility_files import write_fragility
 
     fragility = fragility_of(request, planned, rows)
     return _FragilityReport((fragility.sentence,), write_fragility(folder, words.sweep.stem, fragility))

@@ -5,7 +5,7 @@ from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.quantity import parse
-from masonry.sweep.read import is_number
+from masonry.sweeps.read import is_number
 
 OF_MOTION = {"peak_acceleration": "m/s^2", "peak_velocity": "m/s", "pseudo_acceleration": "m/s^2"}
 """Intensities of the motion itself, and their units."""

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.sweep.fragility.request import OF_MOTION, FragilityRequest
-from masonry.sweep.planned_runs import Planned
-from masonry.sweep.points import si
+from masonry.sweeps.fragility.request import OF_MOTION, FragilityRequest
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.points import si
 
 
 def intensities(request: FragilityRequest, planned: Sequence[Planned]) -> tuple[np.ndarray, str]:

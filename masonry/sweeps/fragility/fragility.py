@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.errors import SceneError, nearest
-from masonry.sweep.fragility.intensity import intensities
-from masonry.sweep.fragility.lognormal_fit import LognormalFit, lognormal_fit
-from masonry.sweep.fragility.request import FragilityRequest
-from masonry.sweep.planned_runs import Planned
-from masonry.sweep.run_store import Row
-from masonry.sweep.work import OK, STOPPED
+from masonry.sweeps.fragility.intensity import intensities
+from masonry.sweeps.fragility.lognormal_fit import LognormalFit, lognormal_fit
+from masonry.sweeps.fragility.request import FragilityRequest
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.work import OK, STOPPED
 
 FELL = "collapse.time_s"
 """Column of the table that a run has where a block fell."""
