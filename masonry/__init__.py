@@ -9,10 +9,12 @@
 >>> files = result.save("results/couplet-0.1")
 """
 
+import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Sequence
     from pathlib import Path
 
     from masonry.comparison.sensitivity import Sensitivity
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
     from masonry.limit_analysis.limit_result import LimitResult
     from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene import Scene
+    from masonry.sweeps.sweep_run import SweepResult
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
@@ -217,6 +220,64 @@ def sensitivity(
     return compare(_scene(scene), folder, kinds, quick, workers, tell)
 
 
+def sweep(
+    scene: "SceneLike",
+    vary: "Mapping[str, Any] | None" = None,
+    out: "str | Path | None" = None,
+    *,
+    workers: int | None = None,
+    executor: Any = None,
+    refused: str = "stop",
+    overwrite: bool = False,
+    progress: "Callable[[str], None] | bool | None" = None,
+) -> "SweepResult":
+    """Run a scene many times over: one row a run, with its verdict, doubts, warnings and numbers.
+
+    scene     a scene, a file of one, the name of a packaged one, or a dictionary; where nothing varies, a sweep file
+    vary      dotted keys with the values of each, all combinations; or the tables of a sweep file: grid, list (of
+              dictionaries), latin_hypercube, settings, fragility
+    out       folder of results, in which what is done of this sweep stays; without it the next results/SCENE-sweep-N
+    workers   processes (default: all processors); 0: one run after the other in this process
+    executor  a Dask client, the address of a Dask scheduler or an executor of concurrent.futures does the runs instead
+    refused   "stop": runs that cannot be built end the sweep before it begins; "keep": they are rows with their reason
+    overwrite the table of another sweep in `out` is replaced
+    progress  True: a line on standard error for each run that ends; None: in a notebook only; or a function of a line
+    What comes back prints as `masonry sweep` does; `.table` (pandas), `.rows`, `.result(index)`, `.plot()`. Processes
+    are started afresh, so a script needs `if __name__ == "__main__":`. Raises SceneError before anything runs.
+
+    >>> short = masonry.load("couplet", {"drive.accuracy": "10 %"})
+    >>> pressures = masonry.sweep(short, {"confinement": ["0.1 MPa", "0.5 MPa"]}, workers=0)
+    >>> for row in pressures.rows:
+    ...     print(f"{row['confinement']}: {row['peak_stress_pa'] / 1e6:.2f} MPa, {row['verdict']}")
+    0.1 MPa: 0.97 MPa, sound
+    0.5 MPa: 1.37 MPa, sound
+    """
+    from masonry.laboratory.arguments import called, flag, path, whole
+    from masonry.laboratory.notebook import telling_lines
+    from masonry.runtime.processors import processors
+    from masonry.sweeps.read import read, sweep_of_tables
+    from masonry.sweeps.sweep_run import Running, run_sweep
+
+    if vary is None and isinstance(scene, Mapping) and "scene" in scene:
+        vary = {key: value for key, value in scene.items() if key != "scene"}
+        scene = scene["scene"]
+    if vary is None and isinstance(scene, str | os.PathLike):
+        file = path("scene", scene)
+        request, name, text = read(file), str(file), file.read_text(encoding="utf-8-sig")
+    else:
+        loaded = _scene(scene)
+        request, name, text = sweep_of_tables(loaded, vary), f"{loaded.name}-sweep", None
+    running = Running(
+        None if out is None else path("out", out),
+        flag("overwrite", overwrite),
+        processors() if workers is None else whole("workers", workers, 0, 10_000),
+        executor,
+        refused,
+    )
+    with telling_lines(called("progress", progress, True, False, None)) as tell:
+        return run_sweep(request, name, running, tell, text)
+
+
 def load_result(folder: "str | Path") -> "Result":
     """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results.
 
@@ -269,7 +330,7 @@ def write_blocks(
 
 def _packed(tables: Any) -> Any:
     """Tables of a scene with a specimen that was handed over as text, and whatever else as it is."""
-    if not hasattr(tables, "keys") or "specimen" not in tables:
+    if not isinstance(tables, Mapping) or "specimen" not in tables:
         return tables
     from masonry.importing.handed_blocks import with_packed_blocks
 

@@ -33,6 +33,20 @@ def telling(progress: Tell | bool | None, label: str) -> Iterator[Tell | None]:
             yield bar
 
 
+@contextlib.contextmanager
+def telling_lines(progress: Callable[[str], None] | bool | None) -> Iterator[Callable[[str], None] | None]:
+    """What to call with a line for each of many runs that ends; `progress` as in `telling`."""
+    if callable(progress):
+        yield progress
+    elif progress is False or (progress is None and not in_notebook()):
+        yield None
+    elif not in_notebook():
+        yield lambda line: print(line, file=sys.stderr, flush=True)
+    else:
+        with OneLine() as stream:
+            yield lambda line: print(line, file=stream)
+
+
 class OneLine(io.TextIOBase):
     """A stream whose last line stands below the cell of a notebook, and goes when the stream is closed."""
 

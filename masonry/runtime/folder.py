@@ -31,7 +31,7 @@ WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
     *(f"{picture}.{form}" for picture in ("curve", "cracks", "mechanism", "thrust", "modes") for form in FORMATS),
     "checkpoint",
-    *("sweep.csv", "sweep.parquet", "sweep.png", "sensitivity.csv", "sensitivity.png"),
+    *("sweep.csv", "sweep.parquet", "sweep.png", "sweep-map.png", "sensitivity.csv", "sensitivity.png"),
 }
 """What commands write into a folder of results besides."""
 

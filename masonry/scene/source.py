@@ -89,11 +89,11 @@ def of_tables(tables: Mapping[str, Any]) -> Source:
     the folder where one stands. Raises SceneError, with the key, for what no file could hold."""
     if not tables:
         raise SceneError("{} is no scene: give the name of a packaged one, the path of a file, or its tables")
-    raw = _plain(tables)
+    raw = plain(tables)
     return _on_its_base(Source("", "scene", "", raw, overridden=dict.fromkeys(leaves(raw), "")), Path("scene.toml"), ())
 
 
-def _plain(value: Any, path: str = "", depth: int = 0) -> Any:
+def plain(value: Any, path: str = "", depth: int = 0) -> Any:
     """A value as TOML has it: numbers of numpy become numbers, arrays and tuples lists, paths texts."""
     if depth > NESTED:
         raise SceneError(f"{path[:80]}: tables nested too deeply")
@@ -101,11 +101,11 @@ def _plain(value: Any, path: str = "", depth: int = 0) -> Any:
         for key in value:
             if not isinstance(key, str):
                 raise SceneError(f"{path or 'the scene'}: {key!r:.60} is no key: keys are texts")
-        return {key: _plain(below, f"{path}.{key}" if path else key, depth + 1) for key, below in value.items()}
+        return {key: plain(below, f"{path}.{key}" if path else key, depth + 1) for key, below in value.items()}
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return [_plain(below, f"{path}.{n}", depth + 1) for n, below in enumerate(value)]
+        return [plain(below, f"{path}.{n}", depth + 1) for n, below in enumerate(value)]
     if isinstance(value, os.PathLike):
         return str(value)
     if value is None or not isinstance(value, str | bool | int | float):

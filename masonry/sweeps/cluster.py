@@ -1,9 +1,10 @@
-"""Tasks done by the workers of a Dask cluster that somebody started: `dask scheduler`, and `dask worker ADDRESS`."""
+"""Tasks done elsewhere: by the workers of a Dask cluster that somebody started, or by an executor of the user's."""
 
 import logging
 import threading
 import time
 from collections.abc import Callable, Generator, Sequence
+from concurrent.futures import BrokenExecutor, CancelledError, as_completed
 from typing import Any
 
 from masonry.errors import SceneError, extra
@@ -14,9 +15,16 @@ PATIENCE = 5.0
 ALONE = threading.Lock()
 
 
-def require(scheduler: str) -> None:
-    """Raise SceneError where Dask is not installed, no scheduler answers, or it has no workers."""
-    _client(scheduler).close()
+def require(executor: Any) -> None:
+    """Raise SceneError where what a user hands over does no runs: Dask is not installed, no scheduler answers, or it
+    has no workers."""
+    if isinstance(executor, str):
+        _client(executor).close()
+    elif not callable(getattr(executor, "submit", None)):
+        raise SceneError(
+            f"executor = {executor!r:.60}: give a Dask client, the address of its scheduler, or an executor of "
+            "concurrent.futures"
+        )
 
 
 def _client(scheduler: str) -> Any:
@@ -41,27 +49,61 @@ def _client(scheduler: str) -> Any:
     return client
 
 
-def work_on(scheduler: str, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
-    """As `masonry.runtime.processes.work`, on a cluster. If a worker dies, another does its task, three times at most.
+def work_on(executor: Any, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
+    """As `masonry.runtime.processes.work`, elsewhere.
 
-    Raises SceneError as `require`, and where the scheduler goes away.
+    executor  the address of a Dask scheduler, a Dask client, or an executor of concurrent.futures
+    If a worker of a cluster dies, another does its task, three times at most. Raises SceneError as `require`, and where
+    the scheduler or the executor goes away.
     """
-    client = _client(scheduler)
+    if not isinstance(executor, str):
+        require(executor)
+        yield from (_by_client if hasattr(executor, "scheduler_info") else _by_executor)(executor, act, tasks)
+        return
+    client = _client(executor)
+    try:
+        yield from _by_client(client, act, tasks)
+    finally:
+        client.close()
+
+
+def _by_client(client: Any, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
     from dask.distributed import as_completed
 
+    begun = time.perf_counter()
+    futures = {client.submit(one_at_a_time, act, task, pure=False): n for n, task in enumerate(tasks)}
     try:
-        begun = time.perf_counter()
-        futures = {client.submit(one_at_a_time, act, task, pure=False): n for n, task in enumerate(tasks)}
         for future in as_completed(futures, loop=client.loop):
             if future.status == "cancelled":
-                raise SceneError(f"the Dask scheduler at '{scheduler}' is gone; what is done stays, start again")
+                raise SceneError("the Dask scheduler is gone; what is done stays, start again")
             if future.status == "error":
                 yield futures[future], Lost(f"{future.exception()}".partition("\n")[0], time.perf_counter() - begun)
             else:
                 yield futures[future], future.result()
             future.release()
     finally:
-        client.close()
+        for future in futures:
+            future.release()
+
+
+def _by_executor(executor: Any, act: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[int, Any]]:
+    begun = time.perf_counter()
+    futures: dict[Any, int] = {}
+    try:
+        for number, task in enumerate(tasks):
+            futures[executor.submit(one_at_a_time, act, task)] = number
+        for future in as_completed(futures):
+            error = future.exception()
+            if isinstance(error, BrokenExecutor):
+                raise error
+            lost = None if error is None else Lost(f"{type(error).__name__}: {error}", time.perf_counter() - begun)
+            yield futures[future], future.result() if lost is None else lost
+    except (BrokenExecutor, CancelledError, RuntimeError) as error:
+        why = str(error).partition("\n")[0] or type(error).__name__
+        raise SceneError(f"the executor does nothing more ({why}); what is done stays, start again") from None
+    finally:
+        for future in futures:
+            future.cancel()
 
 
 def one_at_a_time(act: Callable[[Any], Any], task: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Runs many jobs, in processes here or on a Dask cluster; what is done already is not run again."""
+"""Runs many jobs, in processes here, on a Dask cluster or by an executor; what is done already is not run again."""
 
 import math
 from collections.abc import Generator, Sequence
@@ -19,13 +19,13 @@ WORKERS = 2
 
 
 def run(
-    jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, scheduler: str | None = None
+    jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, executor: Any = None
 ) -> list[Row]:
     """One row a job, in order; each run that ends leaves `folder/runs/KEY/` for `masonry.load_result`.
 
-    workers    processes on this machine, with one thread each
-    tell       is called with a line for each run that ends
-    scheduler  address of a Dask scheduler, whose workers then do the runs
+    workers   processes on this machine, with one thread each; 0: one run after the other in this process
+    tell      is called with a line for each run that ends
+    executor  address of a Dask scheduler, a Dask client or an executor of concurrent.futures, which then does the runs
     A row holds key, status (OK, REFUSED, STOPPED, ERROR), reason, seconds, verdict, doubts (their names) and the
     numbers of summary.json by dotted name. A run that failed leaves failure.json. What ended is not run again, but for
     an ERROR (a process that died, no memory), which is tried again; jobs of the same key run once.
@@ -34,11 +34,11 @@ def run(
     for job in jobs:
         job.key()
     with sole(folder, DOING):
-        return run_alone(jobs, folder, workers, tell, scheduler)
+        return run_alone(jobs, folder, workers, tell, executor)
 
 
 def run_alone(
-    jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, scheduler: str | None = None
+    jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, executor: Any = None
 ) -> list[Row]:
     """As `run`, for one who holds the folder already (`lock.sole`)."""
     store = Store(folder)
@@ -50,7 +50,7 @@ def run_alone(
     called = dict(zip(wanted, names(list(wanted.values())), strict=True))
     tally = ProgressLines((called[job.key()] for job in missing), tell)
     try:
-        with closing(_ends([job.resolved for job in missing], workers, scheduler)) as ends:
+        with closing(_ends([job.resolved for job in missing], workers, executor)) as ends:
             for number, ended in ends:
                 job = missing[number]
                 row = rows[job.key()] = store.keep(job.key(), ended)
@@ -60,18 +60,20 @@ def run_alone(
     return [dict(rows[job.key()]) for job in jobs]
 
 
-def _ends(scenes: list[str], workers: int, scheduler: str | None) -> Generator[tuple[int, RunEnd]]:
+def _ends(scenes: list[str], workers: int, executor: Any) -> Generator[tuple[int, RunEnd]]:
     """Number of each scene and what became of its run, as they end."""
     if not scenes:
         return
-    if workers < 1:
-        raise SceneError(f"{workers} workers: 1 or more")
+    if workers < 0:
+        raise SceneError(f"{workers} workers: 0 (all in this process) or more")
     ends: Generator[tuple[int, Any]]
-    if scheduler is None:
-        ends = work(compute, scenes, workers, math.inf)
-    else:
+    if executor is not None:
         from masonry.sweeps.cluster import work_on
 
-        ends = work_on(scheduler, compute, scenes)
+        ends = work_on(executor, compute, scenes)
+    elif workers == 0:
+        ends = ((number, compute(scene)) for number, scene in enumerate(scenes))
+    else:
+        ends = work(compute, scenes, workers, math.inf)
     for number, end in ends:
         yield number, RunEnd(ERROR, end.reason, end.seconds) if isinstance(end, Lost) else end

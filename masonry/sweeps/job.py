@@ -5,31 +5,75 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from masonry.jit.sources import ALL, source_hash
 from masonry.laboratory.summary.provenance import SHOWING, file_of_blocks, files_of_records, other_sources
+
+if TYPE_CHECKING:
+    from masonry.scene import Scene
+
+
+class Strength(NamedTuple):
+    """Pa: as a scene has it, and as its law takes it."""
+
+    told: float
+    used: float
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether the law takes less than it was told."""
+        return self.used < self.told
+
+
+def _tensile_strengths(scene: "Scene") -> dict[str, Strength]:
+    """The strengths of contacts in tension: cut at the apex of the Coulomb line, 0 where next to nothing."""
+    from masonry.laws.building.factory import properties_of, tensile_strength
+
+    strengths = {}
+    for group, contact in scene.contact.items():
+        values, told = contact.properties(), contact.tensile_strength
+        reads = "tensile_strength" in properties_of(contact.law)
+        if reads and told is not None and None not in (values["cohesion"], values["tan_friction"]):
+            strengths[f"contact.{group}.tensile_strength"] = Strength(told, tensile_strength(values))
+    return strengths
 
 
 @dataclass(frozen=True)
 class Job:
     """One run.
 
-    scene     a packaged scene's name or a path
+    scene     a scene, a packaged scene's name or a path
     settings  dotted key -> value, as `masonry.load(scene, settings)` takes them
     label     what progress calls it; where none is given, what is set in it and not in all others
     """
 
-    scene: str | Path
+    scene: "Scene | str | Path"
     settings: Mapping[str, Any] = field(default_factory=dict)
     label: str = ""
 
     @cached_property
+    def _loaded(self) -> tuple[str, dict[str, "Strength"]]:
+        from masonry.scene import Scene, changed, load, to_toml
+
+        of, settings = self.scene, self.settings
+        scene = changed(of, settings) if isinstance(of, Scene) else load(of, settings)
+        return to_toml(scene), _tensile_strengths(scene)
+
+    @property
     def resolved(self) -> str:
         """The resolved scene as TOML: all that its run needs. Raises SceneError."""
-        from masonry.scene import load, to_toml
+        return self._loaded[0]
 
-        return to_toml(load(self.scene, self.settings))
+    @property
+    def tensile_strengths(self) -> dict[str, "Strength"]:
+        """By dotted key, those of its contacts whose law reads them."""
+        return self._loaded[1]
+
+    @property
+    def scene_name(self) -> str:
+        """What to call its scene."""
+        return str(self.scene) if isinstance(self.scene, str | Path) else self.scene.name
 
     @cached_property
     def _key(self) -> str:
@@ -53,16 +97,16 @@ def names(jobs: Sequence[Job]) -> list[str]:
     """
     keys = dict.fromkeys(key for job in jobs for key in job.settings)
     varied = [key for key in keys if len({repr(job.settings.get(key)) for job in jobs}) > 1]
-    scenes = len({str(job.scene) for job in jobs}) > 1 or not varied
-    return [job.label or " ".join([str(job.scene)] * scenes + _settings(job, varied)) for job in jobs]
+    scenes = len({job.scene_name for job in jobs}) > 1 or not varied
+    return [job.label or " ".join([job.scene_name] * scenes + _settings(job, varied)) for job in jobs]
 
 
 def _settings(job: Job, keys: Sequence[str]) -> list[str]:
-    return [f"{key.rsplit('.', 1)[-1]}={_short(job.settings[key])}" for key in keys if key in job.settings]
+    return [f"{key.rsplit('.', 1)[-1]}={short_text(job.settings[key])}" for key in keys if key in job.settings]
 
 
-def _short(value: Any) -> str:
-    """A value with four digits: a name is no place for more."""
+def short_text(value: Any) -> str:
+    """A value with four digits, and its unit: names and pictures are no place for more."""
     if isinstance(value, float):
         return f"{value:.4g}"
     number, _, unit = f"{value}".partition(" ")

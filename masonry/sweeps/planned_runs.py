@@ -7,12 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError, nearest, visible
+from masonry.errors import Faults, SceneError, nearest, visible
 from masonry.runtime.tables import columns
 from masonry.sweeps.job import Job
 from masonry.sweeps.points import points, si
 from masonry.sweeps.read import Sweep, Times
 
+MOST = 5
+"""Things that are wrong which one message tells."""
 RECORD = re.compile(r"ground\.(\d+\.)?record")
 """Keys whose value is a file."""
 
@@ -31,26 +33,50 @@ class Planned:
 
 
 def plan(sweep: Sweep) -> list[Planned]:
-    """Every run of a sweep, in order. Raises SceneError for the first that its scene does not take: the message says
-    the run, the key, what is wrong and what is allowed.
+    """Every run of a sweep, in order. Raises SceneError for those that the scene does not take: a line for each thing
+    that is wrong says in which run, the key, what is wrong and what is allowed.
     """
     table = points(sweep)
     base = _Base(sweep)
     for point in table[:1] + [row for row in table if set(row) != set(table[0])]:
         base.check_groups(point)
-    runs = []
+    runs: list[Planned] = []
+    wrong: dict[int, SceneError] = {}
     for number, point in enumerate(table):
         try:
             runs.append(base.planned(point))
         except SceneError as error:
-            run = f", run {number + 1} of {len(table)}" if len(table) > 1 else ""
-            raise error.within(f"{sweep.name}{run}", "--set ") from None
+            wrong[number] = error
+    if wrong:
+        raise faults(sweep.name, wrong, len(table))
     return runs
 
 
+def faults(name: str, wrong: Mapping[int, SceneError], count: int, more: str = "") -> SceneError:
+    """What is wrong with some of `count` runs, by their number from 0: a line for each thing, with the first run that
+    has it, and at last `more`."""
+    by_words: dict[str, list[int]] = {}
+    for number, error in wrong.items():
+        by_words.setdefault("\n".join(line.removeprefix("--set ") for line in error.lines), []).append(number)
+    lines = []
+    for words, numbers in list(by_words.items())[:MOST]:
+        others = f" and {len(numbers) - 1} more" if len(numbers) > 1 else ""
+        run = f", run {numbers[0] + 1} of {count}{others}" if count > 1 else ""
+        lines += [f"{name}{run}: {words}".split("\n")[0], *words.split("\n")[1:]]
+    lines += [f"... and {len(by_words) - MOST} more"] if len(by_words) > MOST else []
+    lines += [more] if more else []
+    return Faults(lines) if len(lines) > 1 else SceneError(*lines)
+
+
 def listing(planned: Sequence[Planned]) -> str:
-    """A line a run: its number and what the sweep sets in it."""
-    rows = (visible("  ".join(f"{key} = {value!r:.60}" for key, value in run.values.items())) for run in planned)
+    """A line a run: its number and what the sweep sets in it; strengths that are cut as the law takes them."""
+
+    def words(run: Planned, key: str, value: Any) -> str:
+        strength = run.job.tensile_strengths.get(key)
+        used = f" ({strength.used:.4g} Pa used)" if strength is not None and strength.is_cut else ""
+        return f"{key} = {value!r:.60}{used}"
+
+    rows = (visible("  ".join(words(run, *pair) for pair in run.values.items())) for run in planned)
     return "\n".join(columns([(str(number), row) for number, row in enumerate(rows, start=1)], right=[0]))
 
 

@@ -4,13 +4,16 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from masonry.errors import SceneError, nearest
 from masonry.runtime.text_files import text_of, toml_of
 
+if TYPE_CHECKING:
+    from masonry.scene import Scene
+
 PARTS = ("list", "grid", "latin_hypercube")
-FRAGILITY = "fragility"
+FRAGILITY, SCENE = "fragility", "scene.toml"
 WORDS = ("scene", "settings", *PARTS, FRAGILITY)
 LARGEST = 10_000_000
 """Bytes of a sweep file."""
@@ -29,7 +32,7 @@ class Sweep:
     """What a sweep file says.
 
     name      of the file, for messages
-    scene     a packaged scene's name, or the path of a file beside the sweep's
+    scene     a packaged scene's name, the path of a file beside the sweep's, or a scene
     settings  dotted key -> value, the same in all runs
     parts     list, grid and latin_hypercube as they stand in the file; each key once
     folder    of the file, beside which records are looked for
@@ -37,7 +40,7 @@ class Sweep:
     """
 
     name: str
-    scene: str | Path
+    scene: "Scene | str | Path"
     settings: dict[str, Any]
     parts: dict[str, Any]
     raw: dict[str, Any]
@@ -59,14 +62,18 @@ def read(path: Path) -> Sweep:
     """The sweep of a file. Raises SceneError: one message with what is wrong, where, and what is allowed."""
     from masonry.scene import packaged
 
-    raw = read_toml(path)
-    name = str(path)
-    for word in raw:
-        if word not in WORDS:
-            raise SceneError(f"{name}: {word}: unknown key; {nearest(word, WORDS)}")
+    raw, folder = read_toml(path), path.absolute().parent
     scene = raw.get("scene")
     if not isinstance(scene, str) or not scene:
-        raise SceneError(f"{name}: scene: missing; the name of a packaged scene, or a file beside this one")
+        _require_words(raw, str(path))
+        raise SceneError(f"{path}: scene: missing; the name of a packaged scene, or a file beside this one")
+    return sweep_of(raw, str(path), scene if scene in packaged() else folder / scene, folder)
+
+
+def sweep_of(raw: dict[str, Any], name: str, scene: "Scene | str | Path", folder: Path) -> Sweep:
+    """The sweep of a scene that tables ask for; `name` for messages, `folder` for the files that they name. Raises
+    SceneError."""
+    _require_words(raw, name)
     parts = {part: raw[part] for part in PARTS if part in raw}
     if not parts:
         raise SceneError(f"{name}: nothing to vary; give a table [grid] or [latin_hypercube], or rows [[list]]")
@@ -78,10 +85,31 @@ def read(path: Path) -> Sweep:
     for part in ("grid", "latin_hypercube"):
         if part in parts and not isinstance(parts[part], dict):
             raise SceneError(f"{name}: {part}: must be a table [{part}] of dotted keys")
-    folder = path.absolute().parent
-    sweep = Sweep(name, scene if scene in packaged() else folder / scene, settings, parts, raw, folder)
+    sweep = Sweep(name, scene, settings, parts, raw, folder)
     _each_key_once(sweep)
     return sweep
+
+
+def sweep_of_tables(scene: "Scene", tables: Any) -> Sweep:
+    """What a Python user asks for of a scene: tables as in a sweep file, or keys and values of a grid alone. Raises
+    SceneError."""
+    from masonry.scene.source import plain
+
+    if not isinstance(tables, Mapping) or not tables:
+        raise SceneError(
+            f"{tables!r:.60}: say what varies: {{'confinement': ['0.1 MPa', '0.5 MPa']}}, or tables 'grid', 'list', "
+            "'latin_hypercube' and 'settings'"
+        )
+    raw = plain(tables)
+    if not any(word in WORDS or (isinstance(value, dict) and "times" not in value) for word, value in raw.items()):
+        raw = {"grid": raw}
+    return sweep_of(raw | {"scene": SCENE}, "sweep", scene, Path().absolute())
+
+
+def _require_words(raw: dict[str, Any], name: str) -> None:
+    for word in raw:
+        if word not in WORDS:
+            raise SceneError(f"{name}: {word}: unknown key; {nearest(word, WORDS)}")
 
 
 def read_toml(path: Path) -> dict[str, Any]:

@@ -71,13 +71,14 @@ class Store:
 
 
 def _judged(summary: dict[str, Any]) -> Row:
-    """The verdict, and the names of the doubts, with commas; None where there is no summary."""
+    """The verdict, the names of the doubts, with commas, and the warnings; None where there is no summary."""
     if not summary:
-        return {"verdict": None, "doubts": None}
+        return {"verdict": None, "doubts": None, "warnings": None}
     judgement = judgement_of(summary)
     return {
         "verdict": judgement.verdict,
         "doubts": ", ".join(dict.fromkeys(doubt.name for doubt in judgement.doubts)),
+        "warnings": "; ".join(map(str, summary.get("warnings") or [])),
     }
 
 

@@ -4,16 +4,13 @@ Exit codes: 0 all runs ended, the failed ones as rows with their reason; 2 somet
 file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-from collections import Counter
 from pathlib import Path
-from typing import Any, NamedTuple
 
-from masonry.errors import SceneError, visible
+from masonry.errors import SceneError
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, Parser, tell
-from masonry.sweeps.read import FRAGILITY, Sweep, read
-from masonry.sweeps.sweep_folder import COPY, DOING, folder_for
+from masonry.sweeps.read import read
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
@@ -27,6 +24,12 @@ def parser() -> Parser:
     words.add_argument("--list", action="store_true", help="say what each run would set, and run nothing")
     words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
     words.add_argument("--scheduler", metavar="ADDRESS", help="run on the Dask cluster of this scheduler instead")
+    words.add_argument(
+        "--refused",
+        choices=("stop", "keep"),
+        default="stop",
+        help="runs that cannot be built: run nothing (default), or keep them as rows with their reason",
+    )
     words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     return words
 
@@ -34,79 +37,22 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     from masonry.sweeps.planned_runs import listing, plan
+    from masonry.sweeps.sweep_run import Running, run_sweep
 
     words = parser().parse_args(arguments)
-    if words.workers < 1:
-        raise SceneError(f"--workers {words.workers}: 1 or more")
+    if words.workers < 0:
+        raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
     sweep = read(words.sweep)
-    request = _request(sweep)
-    planned = plan(sweep)
     if words.list:
-        print(listing(planned))
+        print(listing(plan(sweep)))
         return OK
-    if words.scheduler is not None:
-        from masonry.sweeps.cluster import require
-
-        require(words.scheduler)
-    folder = folder_for(words.sweep, sweep, words.out, words.overwrite)
-    if not words.quiet:
-        tell(f"{len(planned)} runs, results in '{folder}'")
+    running = Running(words.out, words.overwrite, words.workers, words.scheduler, words.refused)
+    text = words.sweep.read_text(encoding="utf-8-sig")
     try:
-        return _run(planned, folder, words, request)
+        result = run_sweep(sweep, str(words.sweep), running, None if words.quiet else tell, text)
     except KeyboardInterrupt as ended:
-        tell(f"masonry: {word_of(ended)}; what is done stays in '{folder}', and the same command continues from there")
+        tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
         return code_of(ended)
-
-
-def _request(sweep: Sweep) -> Any:
-    """What [fragility] asks for; None where there is no such table."""
-    from masonry.sweeps.fragility.request import read_request
-
-    if FRAGILITY not in sweep.raw:
-        return None
-    varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
-    return read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied)
-
-
-def _run(planned: list[Any], folder: Path, words: Any, request: Any) -> int:
-    from geometry.files.atomic import WholeFiles
-    from masonry.runtime.folder import writing
-    from masonry.runtime.lock import sole
-    from masonry.sweeps.engine import run_alone
-    from masonry.sweeps.pictures.sweep_curves import PICTURE, draw
-    from masonry.sweeps.sweep_table import PARQUET, TABLE, table_of, verdicts_text, write_table
-
-    with sole(folder, DOING), writing(folder):
-        for stale in (PARQUET, TABLE, PICTURE) if words.overwrite and (folder / "runs").is_dir() else ():
-            (folder / stale).unlink(missing_ok=True)
-        with WholeFiles(folder) as files:
-            files.text(COPY, words.sweep.read_text(encoding="utf-8-sig"))
-        say = None if words.quiet else tell
-        rows = run_alone([run.job for run in planned], folder, words.workers, say, words.scheduler)
-        draw(folder, words.sweep.stem, planned, rows)
-        tables = write_table(folder, table_of(planned, rows))
-        report = _fragility(planned, rows, folder, words, request)
     if not words.quiet:
-        counts = Counter(row["status"] for row in rows)
-        print(", ".join(f"{count} {status}" for status, count in counts.items()))
-        print(verdicts_text(rows) or "no run has a verdict")
-        for sentence in report.sentences:
-            print(sentence)
-        print("\n".join(visible(f"{folder / name}") for name in (*tables, PICTURE, *report.files)))
+        print(result)
     return OK
-
-
-class _FragilityReport(NamedTuple):
-    sentences: tuple[str, ...] = ()
-    files: tuple[str, ...] = ()
-
-
-def _fragility(planned: list[Any], rows: list[Any], folder: Path, words: Any, request: Any) -> _FragilityReport:
-    """The fragility of what was run, where it was asked for: its files are in the folder."""
-    if request is None:
-        return _FragilityReport()
-    from masonry.sweeps.fragility.fragility import fragility_of
-    from masonry.sweeps.fragility.fragility_files import write_fragility
-
-    fragility = fragility_of(request, planned, rows)
-    return _FragilityReport((fragility.sentence,), write_fragility(folder, words.sweep.stem, fragility))

@@ -3,9 +3,11 @@
 from pathlib import Path
 from typing import Any
 
+from masonry.errors import SceneError
 from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.lock import LOCK
-from masonry.sweeps.read import FRAGILITY, Sweep, read_toml
+from masonry.runtime.text_files import text_of
+from masonry.sweeps.read import FRAGILITY, LARGEST, SCENE, Sweep, read_toml
 from masonry.sweeps.sweep_table import TABLE
 
 COPY = "sweep.toml"
@@ -14,9 +16,10 @@ DOING = "runs a sweep into it"
 MOST = 3
 
 
-def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> Path:
-    """`out`, or the last `results/SWEEP-N` if it holds the beginning of this very sweep, else the next free one.
+def folder_for(name: str, sweep: Sweep, out: Path | None, overwrite: bool) -> Path:
+    """`out`, or the last `results/NAME-N` if it holds the beginning of this very sweep, else the next free one.
 
+    name  of the sweep, or the path of its file
     Raises SceneError if `out` holds another sweep or anything else (without `overwrite`), or cannot be written to.
     """
 
@@ -27,10 +30,26 @@ def folder_for(path: Path, sweep: Sweep, out: Path | None, overwrite: bool) -> P
         if overwrite:
             return ""
         differs = differences(read_toml(folder / COPY), sweep.raw)
+        if (text := scene_text(sweep)) and not _holds(folder / SCENE, text):
+            return "a sweep of another scene"
         more = f" and {len(differs) - MOST} more" if len(differs) > MOST else ""
         return f"another sweep: {'; '.join(differs[:MOST])}{more}" if differs else ""
 
-    return claim_for_many(scene_name(str(path)), out, overwrite, difference, TABLE)
+    return claim_for_many(scene_name(name), out, overwrite, difference, TABLE)
+
+
+def scene_text(sweep: Sweep) -> str:
+    """The scene of a sweep that was handed over as an object, as text; "" where it is one that a file names."""
+    from masonry.scene import Scene, to_toml
+
+    return to_toml(sweep.scene) if isinstance(sweep.scene, Scene) else ""
+
+
+def _holds(path: Path, text: str) -> bool:
+    try:
+        return path.is_file() and text_of(path, LARGEST) == text
+    except SceneError:
+        return False
 
 
 def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:

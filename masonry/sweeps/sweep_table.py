@@ -16,15 +16,16 @@ from masonry.sweeps.points import si
 from masonry.sweeps.run_store import Row
 
 TABLE, PARQUET = "sweep.csv", "sweep.parquet"
-HOW = ("status", "verdict", "doubts", "reason", "seconds")
+HOW = ("status", "verdict", "doubts", "warnings", "reason", "seconds")
 FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_imbalance", "reaction_mismatch_max")
 """The numbers that one looks at first; the others follow by name."""
 
 
 def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
     """What the sweep set in each run: `KEY` as given, `KEY [unit]` in SI where it has a unit, `KEY times` where it was
-    told as a factor.
+    told as a factor; and `KEY used [Pa]` of tensile strengths, where some run uses less than it was told.
     """
+    cut = {key for run in planned for key, strength in run.job.tensile_strengths.items() if strength.is_cut}
     keys = list(dict.fromkeys(key for run in planned for key in run.values))
     rows = []
     for run in planned:
@@ -37,6 +38,8 @@ def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
                 number, unit = _in_si(value)
                 if unit:
                     row[f"{key} [{unit}]"] = number
+        used = run.job.tensile_strengths
+        row |= {f"{key} used [Pa]": used[key].used for key in sorted(cut) if key in used}
         rows.append(row)
     return rows
 

@@ -38,6 +38,8 @@ def compute(toml: str) -> RunEnd:
 
     try:
         result = _run(toml)
+        if result.summary.interrupted:  # by Ctrl-C, where it runs in the user's own process
+            raise KeyboardInterrupt
         return ended(OK, "", _files(result, begun))
     except (SceneError, GeometryError) as error:
         return ended(REFUSED, error)

@@ -26,7 +26,7 @@ def cluster():
 
 def test_a_cluster_gives_the_rows_that_this_machine_gives(cluster, tmp_path):
     lines = []
-    there = engine.run(jobs(*FOUR), tmp_path / "there", tell=lines.append, scheduler=cluster.scheduler_address)
+    there = engine.run(jobs(*FOUR), tmp_path / "there", tell=lines.append, executor=cluster.scheduler_address)
     here = engine.run(jobs(*FOUR), tmp_path / "here", 1)
     assert untimed(there) == untimed(here) and [row["status"] for row in there] == ["OK"] * 4
     assert len(marks(tmp_path / "there")) == 4 and "left" in lines[0]
@@ -46,7 +46,7 @@ def slowly(task):
 
 def test_a_run_that_kills_its_workers_is_a_row_with_its_reason(cluster, tmp_path, monkeypatch):
     monkeypatch.setattr(engine, "compute", dying)
-    rows = engine.run(jobs(*FOUR[:2]), tmp_path, scheduler=cluster.scheduler_address)
+    rows = engine.run(jobs(*FOUR[:2]), tmp_path, executor=cluster.scheduler_address)
     assert [row["status"] for row in rows] == ["OK", "ERROR"]
     assert "died" in rows[1]["reason"] or "worker" in rows[1]["reason"]
 
@@ -55,13 +55,13 @@ def test_a_run_that_kills_its_workers_is_a_row_with_its_reason(cluster, tmp_path
 def test_a_scheduler_that_does_not_answer_is_said_in_words(tmp_path, monkeypatch, address):
     monkeypatch.setattr("masonry.sweeps.cluster.PATIENCE", 0.5)
     with pytest.raises(SceneError, match=f"no Dask scheduler answers at '{address}'"):
-        engine.run(jobs("0.1 MPa"), tmp_path, scheduler=address)
+        engine.run(jobs("0.1 MPa"), tmp_path, executor=address)
 
 
 def test_without_dask_the_extra_is_named(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "dask.distributed", SimpleNamespace())
     with pytest.raises(SceneError, match=r"pip install '\.\[cluster\]'"):
-        engine.run(jobs("0.1 MPa"), tmp_path, scheduler="tcp://127.0.0.1:9")
+        engine.run(jobs("0.1 MPa"), tmp_path, executor="tcp://127.0.0.1:9")
 
 
 def test_nothing_is_written_for_a_sweep_whose_scheduler_does_not_answer(tmp_path, monkeypatch, capsys):

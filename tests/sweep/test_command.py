@@ -149,7 +149,7 @@ def test_a_wrong_key_is_one_message_and_nothing_is_written(sweep, capsys):
 
 
 WRONG = {
-    "--workers 0": "--workers 0: 1 or more",
+    "--workers -1": "--workers -1: 0 (all in this process) or more",
     "--out sweep.toml": "is a file; results need a folder",
     "--out sweep.toml/below": "cannot write results",
     "--out full": "is not empty",

@@ -4,7 +4,7 @@ import csv
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -13,10 +13,14 @@ from masonry.errors import SceneError
 from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
 from masonry.runtime.text_files import text_of
+from masonry.sweeps.job import short_text
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.sweep_table import swept
 from masonry.sweeps.work import OK
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 PICTURE = "sweep.png"
 LARGEST = 1 << 30
@@ -25,8 +29,15 @@ ONE_COLOUR, FEW = "#1f3b5c", 10
 
 
 def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> None:
-    """Write sweep.png: stress against displacement of every run that came to its end; where the ground moves, the first
-    gauge over time. Raises OSError."""
+    """Write sweep.png. Raises OSError."""
+    figure = curves_figure(folder, title, planned, rows)
+    with WholeFiles(folder) as files:
+        write_picture(figure, files.new(PICTURE))
+
+
+def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "Figure":
+    """Stress against displacement of every run that came to its end; where the ground moves, the first gauge over
+    time."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 6), layout="constrained")
@@ -34,6 +45,9 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
     shown = [n for n, row in enumerate(rows) if row["status"] == OK]
     label, values = coloured_by(planned)
     colours, bar = _colours([values[n] for n in shown]) if shown and label else ([ONE_COLOUR] * len(shown), None)
+    if bar is not None and _differing(values) <= FEW:
+        key, bar = label.partition(" [")[0], None
+        label, values = key, [short_text(run.values.get(key)) for run in planned]
     names: set[str] = set()
     pair = _axes_of(planned[shown[0]]) if shown else PUSHED
     for n, colour in zip(shown, colours, strict=True):
@@ -57,8 +71,7 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
     axes.spines[["top", "right"]].set_visible(False)
     left_out = f", {len(rows) - len(shown)} without a curve" if len(shown) < len(rows) else ""
     axes.set_title(plain(f"{title}: {len(shown)} runs{left_out}"))
-    with WholeFiles(folder) as files:
-        write_picture(figure, files.new(PICTURE))
+    return figure
 
 
 def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
@@ -79,7 +92,7 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
     if len(together) > FEW:
         return f"{first} (other keys vary too)", varied[first]
     keys = [key for key in keys if _differing([row.get(key) for row in rows]) > 1]
-    return ", ".join(keys), [", ".join(str(row.get(key)) for key in keys) for row in rows]
+    return ", ".join(keys), [", ".join(short_text(row.get(key)) for key in keys) for row in rows]
 
 
 def _in_si(key: str, rows: list[dict[str, Any]]) -> str:

@@ -1,0 +1,170 @@
+"""sweep-map.png: of a sweep in which two keys vary, the peak over both; a cell or a point a run."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from geometry.files.atomic import WholeFiles
+from masonry.pictures.style import plain, write_picture
+from masonry.sweeps.job import short_text
+from masonry.sweeps.planned_runs import Planned
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.sweep_table import swept
+from masonry.sweeps.work import OK
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PICTURE = "sweep-map.png"
+MEASURES = (
+    ("peak_stress_pa", "peak stress", "Pa"),
+    ("collapse_load.borne", "load factor that was borne", ""),
+    ("final_stress_pa", "stress at the end", "Pa"),
+)
+"""Columns of which the first that a run has is drawn, with words and unit."""
+READABLE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "m": ((1.0, "m"), (1e-3, "mm"))}
+MOST_CELLS, MOST_WORDS = 30, 150
+"""Values of a key as cells; cells with their number in them."""
+GREY = "0.85"
+
+
+class MapAxis(NamedTuple):
+    """A key that varies, its unit, and its values by run: as numbers (SI), where they are some, and as texts."""
+
+    key: str
+    unit: str
+    numbers: list[float] | None
+    texts: list[str]
+
+    @property
+    def distinct(self) -> list[str]:
+        """The values as they were given, numbers from the least to the largest."""
+        numbers = self.numbers or list(range(len(self.texts)))
+        return list(dict.fromkeys(text for _, text in sorted(zip(numbers, self.texts, strict=True))))
+
+
+def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> tuple[str, ...]:
+    """Write sweep-map.png where there is one; the name of what was written. Raises OSError."""
+    (folder / PICTURE).unlink(missing_ok=True)
+    figure = map_figure(title, planned, rows)
+    if figure is None:
+        return ()
+    with WholeFiles(folder) as files:
+        write_picture(figure, files.new(PICTURE))
+    return (PICTURE,)
+
+
+def map_figure(title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "Figure | None":
+    """The map; None where not just two keys vary, or no run has anything to show."""
+    from matplotlib.figure import Figure
+
+    axes_of_map = varied(planned)
+    measure = next(
+        (m for m in MEASURES if any(row["status"] == OK and row.get(m[0]) is not None for row in rows)), None
+    )
+    if len(axes_of_map) != 2 or measure is None:
+        return None
+    values = [row.get(measure[0]) if row["status"] == OK else None for row in rows]
+    factor, unit = _readable(measure[2], values)
+    values = [None if value is None else value / factor for value in values]
+    across, up = axes_of_map
+    as_cells = _are_cells(across, up)
+    if not as_cells and (across.numbers is None or up.numbers is None):
+        return None
+    figure = Figure(figsize=(9, 6), layout="constrained")
+    axes = figure.subplots()
+    label = f"{measure[1]} [{unit}]" if unit else measure[1]
+    (_draw_cells if as_cells else _draw_points)(figure, axes_of_map, values, rows, label)
+    axes.set_title(plain(f"{title}: {measure[1]} of {sum(value is not None for value in values)} runs"))
+    return figure
+
+
+def varied(planned: Sequence[Planned]) -> list[MapAxis]:
+    """The keys that vary; of those that change together the first."""
+    rows = swept(planned)
+    axes: list[MapAxis] = []
+    for key in dict.fromkeys(key for run in planned for key in run.values):
+        column = next((name for row in rows for name in row if name.startswith(f"{key} [")), key)
+        values, texts = [row.get(column) for row in rows], [short_text(row.get(key)) for row in rows]
+        numbers = [float(value) for value in values if isinstance(value, int | float) and not isinstance(value, bool)]
+        unit = column.removeprefix(key).strip(" []")
+        axis = MapAxis(key, unit, numbers if len(numbers) == len(values) else None, texts)
+        if len(set(texts)) > 1 and not any(_together(axis, other) for other in axes):
+            axes.append(axis)
+    return axes
+
+
+def _together(one: MapAxis, other: MapAxis) -> bool:
+    """Whether each value of one goes with one value of the other."""
+    return len(set(zip(one.texts, other.texts, strict=True))) == len(set(one.texts)) == len(set(other.texts))
+
+
+def _are_cells(across: MapAxis, up: MapAxis) -> bool:
+    """Whether the values make a grid that is at least half full."""
+    columns, lines = len(set(across.texts)), len(set(up.texts))
+    there = len(set(zip(across.texts, up.texts, strict=True)))
+    return max(columns, lines) <= MOST_CELLS and columns * lines <= 2 * there
+
+
+def _draw_cells(
+    figure: Any, pair: Sequence[MapAxis], values: Sequence[float | None], rows: Sequence[Row], label: str
+) -> None:
+    import numpy as np
+
+    (axes,), (across, up) = figure.axes, pair
+    columns, lines = across.distinct, up.distinct
+    field = np.full((len(lines), len(columns)), np.nan)
+    words: dict[tuple[int, int], str] = {}
+    for text_x, text_y, value, row in zip(across.texts, up.texts, values, rows, strict=True):
+        place = lines.index(text_y), columns.index(text_x)
+        field[place] = np.nan if value is None else value
+        words[place] = row["status"].lower() if value is None else f"{value:.3g}"
+    axes.set_facecolor(GREY)
+    image = axes.imshow(field, origin="lower", aspect="auto", cmap="viridis", **_limits(values))
+    for (line, column), word in words.items() if field.size <= MOST_WORDS else ():
+        light = np.isnan(field[line, column]) or image.norm(field[line, column]) > 0.6
+        axes.text(column, line, word, ha="center", va="center", color="black" if light else "white", fontsize=9)
+    axes.set_xticks(range(len(columns)), [plain(text) for text in columns], rotation=45 if len(columns) > 6 else 0)
+    axes.set_yticks(range(len(lines)), [plain(text) for text in lines])
+    axes.set(xlabel=plain(across.key), ylabel=plain(up.key))
+    figure.colorbar(image, ax=axes, label=plain(label))
+
+
+def _draw_points(
+    figure: Any, pair: Sequence[MapAxis], values: Sequence[float | None], rows: Sequence[Row], label: str
+) -> None:
+    (axes,), scaled = figure.axes, []
+    for axis, set_label, set_scale in zip(
+        pair, (axes.set_xlabel, axes.set_ylabel), (axes.set_xscale, axes.set_yscale), strict=True
+    ):
+        numbers = axis.numbers or []
+        factor, unit = _readable(axis.unit, numbers)
+        scaled.append([number / factor for number in numbers])
+        set_label(plain(f"{axis.key} [{unit}]" if unit else axis.key))
+        set_scale("log" if min(numbers) > 0.0 and max(numbers) > 20.0 * min(numbers) else "linear")
+    there = [n for n, value in enumerate(values) if value is not None]
+    lacking = [n for n, value in enumerate(values) if value is None]
+    chosen = [values[n] for n in there]
+    points = axes.scatter(*([line[n] for n in there] for line in scaled), c=chosen, s=60, zorder=3, **_limits(values))
+    if lacking:
+        axes.scatter(
+            *([line[n] for n in lacking] for line in scaled), marker="x", color="0.5", label="without a result"
+        )
+        axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(0.0, -0.1), fontsize=9)
+    axes.grid(color="0.9", linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
+    figure.colorbar(points, ax=axes, label=plain(label))
+
+
+def _limits(values: Sequence[float | None]) -> dict[str, float]:
+    """Ends of the colours: a little apart where all values are one."""
+    there = [value for value in values if value is not None]
+    low, high = min(there), max(there)
+    apart = 0.01 * max(abs(low), abs(high)) or 1.0
+    return {"vmin": low, "vmax": high} if high - low > 1e-9 * apart else {"vmin": low - apart, "vmax": high + apart}
+
+
+def _readable(unit: str, values: Sequence[float | None]) -> tuple[float, str]:
+    """Factor and name of the unit in which people read such values."""
+    size = max((abs(value) for value in values if value is not None), default=0.0)
+    return next((scale for scale in READABLE.get(unit, ()) if size >= scale[0]), (1.0, unit))

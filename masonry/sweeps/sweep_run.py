@@ -1,0 +1,216 @@
+"""A sweep from its tables to its table: planned, checked, run, written; and the result that a user holds."""
+
+from collections import Counter
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from masonry.errors import SceneError, extra, nearest, visible
+from masonry.runtime.progress import Tell
+from masonry.sweeps.planned_runs import Planned, plan
+from masonry.sweeps.read import FRAGILITY, SCENE, Sweep
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.sweep_folder import COPY, DOING, folder_for, scene_text
+from masonry.sweeps.sweep_table import table_of, verdicts_text
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from pandas import DataFrame
+
+    from masonry.laboratory.result import Result
+    from masonry.sweeps.fragility.fragility import Fragility
+
+REFUSED = ("stop", "keep")
+"""What becomes of a sweep of which some runs cannot be built."""
+
+
+@dataclass(frozen=True, repr=False)
+class SweepResult:
+    """What came of a sweep; it prints as `masonry sweep` does.
+
+    folder     of the runs, the tables and the pictures
+    columns    name -> a value for each run, in order; None where a run has none
+    fragility  where the sweep asked for it
+    files      that were written to the folder, besides those of the runs
+    """
+
+    folder: Path
+    title: str
+    planned: Sequence[Planned]
+    outcomes: Sequence[Row]
+    columns: dict[str, list[Any]]
+    fragility: "Fragility | None"
+    files: tuple[str, ...]
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """A dictionary for each run: the columns by name."""
+        return [dict(zip(self.columns, values, strict=True)) for values in zip(*self.columns.values(), strict=True)]
+
+    @property
+    def table(self) -> "DataFrame":
+        """A row a run, as a table of pandas; without pandas a SceneError, and `.columns` and `.rows` have the same."""
+        try:
+            import pandas
+        except ImportError:
+            raise SceneError(
+                f"sweep.table needs pandas; {extra('notebook')}; sweep.columns and sweep.rows have the same"
+            ) from None
+        return pandas.DataFrame(self.columns)
+
+    def result(self, index: int) -> "Result":
+        """The result of a run, by its number from 0. Raises SceneError where it left none."""
+        from masonry.laboratory.result import load_result
+
+        if not -len(self.outcomes) <= index < len(self.outcomes):
+            raise SceneError(f"run {index}: there are {len(self.outcomes)} runs, numbered from 0")
+        row = self.outcomes[index]
+        folder = self.folder / "runs" / str(row["key"])
+        if not (folder / "history.h5").is_file():
+            raise SceneError(f"run {index} left no result: {row['status']}, {row['reason']}")
+        return load_result(folder)
+
+    def plot(self, path: Path | str | None = None) -> "Figure":
+        """All curves in one picture: a figure, and a PNG file where a path is given."""
+        from masonry.pictures.style import drawn
+        from masonry.sweeps.pictures.sweep_curves import curves_figure
+
+        return drawn(curves_figure(self.folder, self.title, self.planned, self.outcomes), path)
+
+    def map(self, path: Path | str | None = None) -> "Figure":
+        """The peak over the two keys that vary: a figure, and a PNG file where a path is given. Raises SceneError where
+        not just two keys vary, or no run has a peak."""
+        from masonry.pictures.style import drawn
+        from masonry.sweeps.pictures.sweep_map import map_figure
+
+        figure = map_figure(self.title, self.planned, self.outcomes)
+        if figure is None:
+            raise SceneError("there is no map: it takes two keys that vary, and a run that has a peak")
+        return drawn(figure, path)
+
+    def __repr__(self) -> str:
+        counts = Counter(row["status"] for row in self.outcomes)
+        lines = [", ".join(f"{count} {status}" for status, count in counts.items())]
+        lines += [verdicts_text(self.outcomes) or "no run has a verdict"]
+        lines += [self.fragility.sentence] if self.fragility is not None else []
+        return "\n".join([*lines, *(visible(f"{self.folder / name}") for name in self.files)])
+
+
+class Running(NamedTuple):
+    """How the runs of a sweep are done.
+
+    out        folder, else the next free results/NAME-N; what is done of this sweep there is kept
+    overwrite  the table of another sweep there is replaced
+    workers    processes; 0: one run after the other in this process
+    executor   what does the runs in their place: see `engine.run`
+    refused    one of REFUSED
+    """
+
+    out: Path | None = None
+    overwrite: bool = False
+    workers: int = 1
+    executor: Any = None
+    refused: str = "stop"
+
+
+def run_sweep(
+    sweep: Sweep, name: str, running: Running, tell: Tell | None = None, text: str | None = None
+) -> SweepResult:
+    """Run what a sweep asks for, and write its table and pictures.
+
+    name  of the sweep, or the path of its file
+    tell  is called with a line for each run that ends
+    text  of its file; made of its tables where there is none
+    Raises SceneError before anything is written where a run cannot be planned or built, or nobody is there to run it.
+    """
+    if running.refused not in REFUSED:
+        raise SceneError(f"refused = {running.refused!r:.60}; {nearest(str(running.refused), REFUSED)}")
+    request, planned = _request(sweep), plan(sweep)
+    if running.executor is not None:
+        from masonry.sweeps.cluster import require
+
+        require(running.executor)
+    folder = folder_for(name, sweep, running.out, running.overwrite)
+    if not (folder / COPY).is_file() and running.refused == "stop":
+        _require_buildable(sweep.name, planned, running.workers, folder)
+    if tell is not None:
+        tell(f"{len(planned)} runs, results in '{folder}'")
+    return _run(sweep, name, planned, folder, running, tell, request, text)
+
+
+def _require_buildable(name: str, planned: Sequence[Planned], workers: int, folder: Path) -> None:
+    from masonry.sweeps.point_checks import require_buildable
+
+    try:
+        require_buildable(name, planned, workers)
+    except BaseException:
+        with suppress(OSError):  # it holds something
+            folder.rmdir()
+        raise
+
+
+def _request(sweep: Sweep) -> Any:
+    """What [fragility] asks for; None where there is no such table."""
+    from masonry.sweeps.fragility.request import read_request
+
+    if FRAGILITY not in sweep.raw:
+        return None
+    varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
+    return read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied)
+
+
+def _run(
+    sweep: Sweep,
+    name: str,
+    planned: Sequence[Planned],
+    folder: Path,
+    running: Running,
+    tell: Tell | None,
+    request: Any,
+    text: str | None,
+) -> SweepResult:
+    from masonry.runtime.folder import writing
+    from masonry.runtime.lock import sole
+    from masonry.sweeps.engine import run_alone
+    from masonry.sweeps.pictures.sweep_curves import PICTURE, draw
+    from masonry.sweeps.pictures.sweep_map import draw_map
+    from masonry.sweeps.sweep_table import PARQUET, TABLE, write_table
+
+    title = Path(name).stem
+    with sole(folder, DOING), writing(folder):
+        for stale in (PARQUET, TABLE, PICTURE) if running.overwrite and (folder / "runs").is_dir() else ():
+            (folder / stale).unlink(missing_ok=True)
+        _write_request(folder, sweep, text)
+        rows = run_alone([run.job for run in planned], folder, running.workers, tell, running.executor)
+        columns = table_of(planned, rows)
+        draw(folder, title, planned, rows)
+        files = (*write_table(folder, columns), PICTURE, *draw_map(folder, title, planned, rows))
+        fragility, more = _fragility(planned, rows, folder, title, request)
+    return SweepResult(folder, title, planned, rows, columns, fragility, (*files, *more))
+
+
+def _write_request(folder: Path, sweep: Sweep, text: str | None) -> None:
+    """sweep.toml, which `masonry sweep` runs again, and scene.toml of a scene that no file names."""
+    import tomli_w
+
+    from geometry.files.atomic import WholeFiles
+
+    with WholeFiles(folder) as files:
+        files.text(COPY, tomli_w.dumps(sweep.raw) if text is None else text)
+        if scene := scene_text(sweep):
+            files.text(SCENE, scene)
+
+
+def _fragility(
+    planned: Sequence[Planned], rows: Sequence[Row], folder: Path, title: str, request: Any
+) -> "tuple[Fragility | None, tuple[str, ...]]":
+    """The fragility of what was run, where it was asked for, and its files in the folder."""
+    if request is None:
+        return None, ()
+    from masonry.sweeps.fragility.fragility import fragility_of
+    from masonry.sweeps.fragility.fragility_files import write_fragility
+
+    fragility = fragility_of(request, planned, rows)
+    return fragility, write_fragility(folder, title, fragility)
