@@ -73,14 +73,14 @@ class SweepResult:
         return load_result(folder)
 
     def plot(self, path: Path | str | None = None) -> "Figure":
-        """All curves in one picture: a figure, and a PNG file where a path is given."""
+        """All curves in one picture: a figure, and a PNG, PDF or SVG file where a path is given."""
         from masonry.pictures.style import drawn
         from masonry.sweeps.pictures.sweep_curves import curves_figure
 
         return drawn(curves_figure(self.folder, self.title, self.planned, self.outcomes), path)
 
     def map(self, path: Path | str | None = None) -> "Figure":
-        """The peak over the two keys that vary: a figure, and a PNG file where a path is given. Raises SceneError where
+        """The peak over the two keys that vary: a figure, and a PNG, PDF or SVG file where a path is given. Raises SceneError where
         not just two keys vary, or no run has a peak."""
         from masonry.pictures.style import drawn
         from masonry.sweeps.pictures.sweep_map import map_figure
