@@ -80,8 +80,10 @@ class SweepResult:
         return drawn(curves_figure(self.folder, self.title, self.planned, self.outcomes), path)
 
     def map(self, path: Path | str | None = None) -> "Figure":
-        """The peak over the two keys that vary: a figure, and a PNG, PDF or SVG file where a path is given. Raises SceneError where
-        not just two keys vary, or no run has a peak."""
+        """The peak over the two keys that vary: a figure, and a PNG, PDF or SVG file where a path is given.
+
+        Raises SceneError where not just two keys vary, or no run has a peak.
+        """
         from masonry.pictures.style import drawn
         from masonry.sweeps.pictures.sweep_map import map_figure
 

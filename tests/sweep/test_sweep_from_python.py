@@ -15,7 +15,8 @@ from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.sweeps import engine, point_checks
 from masonry.sweeps.job import Job
-from masonry.sweeps.pictures.sweep_map import map_figure, varied
+from masonry.sweeps.pictures.sweep_map import map_figure
+from masonry.sweeps.pictures.varied_keys import varied
 from masonry.sweeps.planned_runs import Planned, plan
 from masonry.sweeps.read import sweep_of_tables
 from tests.python.test_scenes_of_tables import NAMED

@@ -2,14 +2,13 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
-from masonry.sweeps.job import short_text
+from masonry.sweeps.pictures.varied_keys import VariedKey, varied
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
-from masonry.sweeps.sweep_table import swept
 from masonry.sweeps.work import OK
 
 if TYPE_CHECKING:
@@ -26,21 +25,6 @@ READABLE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "m": ((1.0, "m"), 
 MOST_CELLS, MOST_WORDS = 30, 150
 """Values of a key as cells; cells with their number in them."""
 GREY = "0.85"
-
-
-class MapAxis(NamedTuple):
-    """A key that varies, its unit, and its values by run: as numbers (SI), where they are some, and as texts."""
-
-    key: str
-    unit: str
-    numbers: list[float] | None
-    texts: list[str]
-
-    @property
-    def distinct(self) -> list[str]:
-        """The values as they were given, numbers from the least to the largest."""
-        numbers = self.numbers or list(range(len(self.texts)))
-        return list(dict.fromkeys(text for _, text in sorted(zip(numbers, self.texts, strict=True))))
 
 
 def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> tuple[str, ...]:
@@ -79,27 +63,7 @@ def map_figure(title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "
     return figure
 
 
-def varied(planned: Sequence[Planned]) -> list[MapAxis]:
-    """The keys that vary; of those that change together the first."""
-    rows = swept(planned)
-    axes: list[MapAxis] = []
-    for key in dict.fromkeys(key for run in planned for key in run.values):
-        column = next((name for row in rows for name in row if name.startswith(f"{key} [")), key)
-        values, texts = [row.get(column) for row in rows], [short_text(row.get(key)) for row in rows]
-        numbers = [float(value) for value in values if isinstance(value, int | float) and not isinstance(value, bool)]
-        unit = column.removeprefix(key).strip(" []")
-        axis = MapAxis(key, unit, numbers if len(numbers) == len(values) else None, texts)
-        if len(set(texts)) > 1 and not any(_together(axis, other) for other in axes):
-            axes.append(axis)
-    return axes
-
-
-def _together(one: MapAxis, other: MapAxis) -> bool:
-    """Whether each value of one goes with one value of the other."""
-    return len(set(zip(one.texts, other.texts, strict=True))) == len(set(one.texts)) == len(set(other.texts))
-
-
-def _are_cells(across: MapAxis, up: MapAxis) -> bool:
+def _are_cells(across: VariedKey, up: VariedKey) -> bool:
     """Whether the values make a grid that is at least half full."""
     columns, lines = len(set(across.texts)), len(set(up.texts))
     there = len(set(zip(across.texts, up.texts, strict=True)))
@@ -107,7 +71,7 @@ def _are_cells(across: MapAxis, up: MapAxis) -> bool:
 
 
 def _draw_cells(
-    figure: Any, pair: Sequence[MapAxis], values: Sequence[float | None], rows: Sequence[Row], label: str
+    figure: Any, pair: Sequence[VariedKey], values: Sequence[float | None], rows: Sequence[Row], label: str
 ) -> None:
     import numpy as np
 
@@ -131,7 +95,7 @@ def _draw_cells(
 
 
 def _draw_points(
-    figure: Any, pair: Sequence[MapAxis], values: Sequence[float | None], rows: Sequence[Row], label: str
+    figure: Any, pair: Sequence[VariedKey], values: Sequence[float | None], rows: Sequence[Row], label: str
 ) -> None:
     (axes,), scaled = figure.axes, []
     for axis, set_label, set_scale in zip(
