@@ -1,4 +1,4 @@
-"""A specimen where it stands: turned about an axis, and on a floor."""
+"""A specimen where it stands: turned about an axis, with slabs on it, and on a floor."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -69,6 +69,41 @@ def on_floor(
     both = concatenate([blocks, floor])
     check_overlaps(both)
     return replace(specimen, blocks=both, sets={**specimen.sets, FLOOR: np.array([blocks.count])})
+
+
+Slab = tuple[str, Sequence[float], Sequence[float], str]
+"""Name, lowest corner (3,) m, size (3,) m, and group."""
+
+
+def with_slabs(specimen: Specimen, slabs: Sequence[Slab]) -> Specimen:
+    """The specimen and behind its blocks more boxes, such as floors that rest on walls: each a unit and a set of its
+    name; all that there are make the sets of their groups.
+
+    Raises GeometryError where a set has the name already, a size is not positive, or one overlaps another block.
+    """
+    if not slabs:
+        return specimen
+    blocks, count = specimen.blocks, specimen.blocks.count
+    if specimen.joints is not None:
+        raise GeometryError("slab: the joints of this file bridge gaps; a slab would have none")
+    names = [slab[0] for slab in slabs]
+    for name in names:
+        if name in specimen.sets or names.count(name) > 1:
+            raise GeometryError(f"slab: there is a set '{name}' already; each slab needs a name of its own")
+    for name, _, size, _ in slabs:
+        require_lengths(f"slab {name!r}", {f"size along {axis}": s for axis, s in zip("xyz", size, strict=True)})
+    groups = tuple(dict.fromkeys(group for *_, group in slabs))
+    low = np.array([origin for _, origin, _, _ in slabs], dtype=float)
+    unit = blocks.unit.max() + 1 + np.arange(len(slabs))
+    group = np.array([groups.index(slab[3]) for slab in slabs])
+    added = from_boxes(low, low + np.array([size for _, _, size, _ in slabs]), unit, group, groups)
+    both = concatenate([blocks, added])
+    check_overlaps(both)
+    none = np.zeros(0, dtype=np.int64)
+    members = {name: count + np.flatnonzero(group == k) for k, name in enumerate(groups)}
+    sets = {name: np.concatenate([specimen.sets.get(name, none), which]) for name, which in members.items()}
+    own = {name: np.array([count + k]) for k, name in enumerate(names)}
+    return replace(specimen, blocks=both, sets={**specimen.sets, **sets, **own})
 
 
 def with_empty_blocks(mesh: TetMesh, blocks: Blocks) -> TetMesh:

@@ -7,6 +7,7 @@ import numpy as np
 from geometry.blocks import GeometryError, Joints, Specimen
 from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
+from masonry.assembly.bars.bar_places import bar_places_of
 from masonry.assembly.road.fill import columns_of, weight_of
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
@@ -59,6 +60,7 @@ def conditions_of(
         _add_quiet(scene, specimen, joints, layout, conditions)
     _add_fill(scene, specimen, joints, layout, conditions)
     _set_moving(scene, specimen, joints, layout, conditions)
+    conditions.bars = bar_places_of(scene, specimen, layout)
     return conditions
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from geometry.joints.find import connected
 from masonry.errors import SceneError
+from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions
@@ -18,16 +19,18 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 
     Raises SceneError naming a block of the part. `loaded`: whether there are dead loads at all.
     """
-    part = connected(specimen.blocks, joints)
+    part = _linked(connected(specimen.blocks, joints), conditions.bars)
     size = float(np.ptp(layout.centroid, axis=0).max() + np.cbrt(layout.volume.max()))
     for p in np.unique(part):
-        member = part == p
+        member = np.asarray(part == p)
         rows, load = _rigid_motions(layout, conditions, member, size)
+        hung = _along_bars(layout, conditions.bars, member, size)
+        rows = np.concatenate([rows, hung])
         if len(rows) == 0:
             _refuse(
                 specimen, layout, member, "are held by nothing; add a [[support]], or close the gap to the neighbours"
             )
-        if not _supported(layout, conditions, member):
+        if not _supported(layout, conditions, member) and not len(hung):
             _refuse(specimen, layout, member, "are driven, but held by no [[support]]; add one, or close the gap to it")
         if not loaded:
             continue
@@ -51,6 +54,25 @@ def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bo
         for kind in KINDS
         if layout.rows(kind)
     )
+
+
+def _linked(part: np.ndarray, bars: BarPlaces | None) -> np.ndarray:
+    """(B,) the part of each block, where bars tie parts to each other as well."""
+    pairs = np.zeros((0, 2), dtype=np.int64) if bars is None else bars.block[(bars.block >= 0).all(axis=1)]
+    for a, b in pairs.tolist():
+        part = np.asarray(np.where(part == part[b], part[a], part))
+    return part
+
+
+def _along_bars(layout: Layout, bars: BarPlaces | None, member: np.ndarray, size: float) -> np.ndarray:
+    """(n, 6) what six rigid motions do to the lengths of bars between a part and places that stay in space."""
+    if bars is None:
+        return np.zeros((0, 6))
+    free = np.asarray(bars.block < 0)
+    bar, end = np.nonzero(~free & np.asarray(free.any(axis=1))[:, None])
+    own = np.flatnonzero(member[bars.block[bar, end]])
+    axis, point = bars.axis[bar[own]], bars.point[bar[own], end[own]]
+    return np.concatenate([axis, np.cross(point - layout.centroid.mean(axis=0), axis) / size], axis=1)
 
 
 def _rigid_motions(

@@ -16,7 +16,7 @@ from geometry.files.blocks_text import blocks_of_text
 from geometry.specimens.bending import bending
 from geometry.specimens.boxes import boxes
 from geometry.specimens.numbered import numbered_by_place
-from geometry.specimens.placed import on_floor, turned
+from geometry.specimens.placed import on_floor, turned, with_slabs
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
@@ -55,6 +55,7 @@ def specimen_of(scene: Scene) -> Specimen:
         _require_what_goes_with_gaps(scene, scene.specimen.is_divided)
     specimen = _specimen_of(scene)
     specimen = specimen if section is None else replace(specimen, section=section)
+    specimen = with_slabs(specimen, [(slab.name, slab.origin, slab.size, slab.group) for slab in scene.specimen.slab])
     specimen = numbered_by_place(specimen) if scene.is_large and scene.specimen.kind in ("file", "boxes") else specimen
     if scene.specimen.turned is not None:
         stated = specimen.joints and replace(specimen.joints, points=as_turned(scene, specimen.joints.points))

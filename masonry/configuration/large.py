@@ -5,6 +5,7 @@ from math import sqrt
 
 import numpy as np
 
+from masonry.configuration.bar_forces import stiffened
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.compressions import patch_compressions
 from masonry.configuration.contacts import (
@@ -68,7 +69,7 @@ class LargeDisplacement:
         groups, contacts, bodies, drives = model.step_arguments()
         calls = step(
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
-            *(large.near, large.members, shared, model.acting, model.point_loads),
+            *(large.near, large.members, shared, model.acting, model.point_loads, model.bars),
         )
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))
@@ -163,7 +164,8 @@ class LargeDisplacement:
         area = np.where(np.arange(area.shape[1]) < points.number[slot, None], area, 0.0).sum(axis=1)
         pair = np.concatenate([bonded[alive], near.pieces.block[pairs.body[touching]]])
         patches = near.rules.normal_stiffness[pairs.law[touching]] * area
-        return sums_of_blocks(pair, np.append(stiffness[alive], patches), self.model.blocks.count)
+        of_contacts = sums_of_blocks(pair, np.append(stiffness[alive], patches), self.model.blocks.count)
+        return stiffened(self.model, of_contacts)
 
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         near = self.parts.near

@@ -5,6 +5,7 @@ from math import inf
 
 import numpy as np
 
+from masonry.configuration.bar_forces import forces_of_bars, stiffened, with_bars
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
     crushing_of,
@@ -55,7 +56,7 @@ class SmallDisplacement:
 
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
-        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting)
+        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting, model.bars)
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, model.bodies), absorbing(model.quiet, model.bodies, model.dt))
         return calls.followed_by(shaking(model.moved_supports, model.bodies))
@@ -81,7 +82,12 @@ class SmallDisplacement:
 
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         force, (block, arm) = self.model.contacts.force.T, self._sides
-        return block, np.concatenate([force, -force], axis=1), arm
+        bars = forces_of_bars(self.model, turns=False)
+        if bars is None:
+            return block, np.concatenate([force, -force], axis=1), arm
+        lever = bars.place - self.model.layout.centroid[bars.block]
+        force = np.concatenate([force, -force, bars.force.T], axis=1)
+        return np.concatenate([block, bars.block]), force, np.concatenate([arm, lever.T], axis=1)
 
     def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
         joints = self.model.joints
@@ -97,7 +103,7 @@ class SmallDisplacement:
 
     def pressed(self) -> np.ndarray:
         forces = np.abs(self.model.contacts.force).sum(axis=1)
-        return sums_of_blocks(self._pairs, forces, self.model.blocks.count)
+        return with_bars(self.model, sums_of_blocks(self._pairs, forces, self.model.blocks.count))
 
     @cached_property
     def _pairs(self) -> np.ndarray:
@@ -108,7 +114,8 @@ class SmallDisplacement:
 
     @cached_property
     def _stiffness(self) -> np.ndarray:
-        return sums_of_blocks(self._pairs, stiffness_of_contacts(self.model), self.model.blocks.count)
+        of_contacts = sums_of_blocks(self._pairs, stiffness_of_contacts(self.model), self.model.blocks.count)
+        return stiffened(self.model, of_contacts)
 
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         return 0.0, (0, 0)

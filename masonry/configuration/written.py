@@ -68,6 +68,20 @@ class WrittenOfDashpots(NamedTuple):
     taken: np.ndarray
 
 
+class WrittenOfBars(NamedTuple):
+    """Of Bars."""
+
+    force: np.ndarray
+    tension: np.ndarray
+    elongation: np.ndarray
+    plastic: np.ndarray
+    tightened: np.ndarray
+    plastic_work: np.ndarray
+    tightening: np.ndarray
+    peak: np.ndarray
+    trough: np.ndarray
+
+
 class WrittenOfSearch(NamedTuple):
     """Of Search."""
 
@@ -89,6 +103,8 @@ def written_arrays(model: Model) -> Arrays:
             arrays |= _fields(kind, WrittenOfBodies, body)
     if model.dashpots is not None:
         arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
+    if model.bars is not None:
+        arrays |= _fields("bars", WrittenOfBars, model.bars)
     for kind, rows in zip(model.layout.members, model.quiet or (), strict=False):
         if rows is not None:
             arrays[f"quiet.{kind}"] = rows.force

@@ -9,6 +9,8 @@ from masonry.rows.columns import INPUT_ENERGY
 LEDGER = {
     "elastic_blocks": ("elastic, blocks", "#9ecae1"),
     "elastic_contacts": ("elastic, contacts", "#4a90c2"),
+    "elastic_bars": ("elastic, bars", "#08519c"),
+    "plastic_bars": ("yielding of bars", "#54278f"),
     "fracture_mode_1": ("fracture, mode I", "#d7301f"),
     "fracture_mode_2": ("fracture, mode II", "#fc8d59"),
     "crushing": ("crushing", "#7f0000"),

@@ -12,6 +12,7 @@ from masonry.jit.compiled_parts import Call, CompiledPart, StepCalls
 from masonry.jit.records import unpack
 from masonry.kernels import bonds as bonded
 from masonry.kernels import gathering
+from masonry.kernels.bars import Bars, pulling
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
 from masonry.kernels.point_loads import PointLoads, shifting
@@ -27,7 +28,7 @@ from masonry.patches.refreshing import count_travel, looking
 def step(
     dt: float, damping: Any, groups: tuple, contacts: tuple, bonds: Bonds, bodies: Sequence[Any],
     drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS,
-    points: PointLoads | None = None,
+    points: PointLoads | None = None, bars: Bars | None = None,
 ) -> StepCalls:  # fmt: skip
     """The step of large displacement, for `driver.drive`: it ends where room runs out.
 
@@ -35,11 +36,12 @@ def step(
     near     what blocks meet
     members  where some blocks deform, else None
     points   where loads act at points of rigid blocks, else None
+    bars     between points of blocks, else None
     """
     *_, local, force = contacts
     motion, sweeps = near.motion, sweeping(None, groups, contacts, dashpots)
     kicks = [*kicking(None, bodies, dt, damping, shared, bonds.force, bonds.u), *driving(bodies, drives, shared)]
-    kicks = [*shifting(points, bodies[0], shared), *kicks]
+    kicks = [*pulling(bars, True, bonds.u, shared), *shifting(points, bodies[0], shared), *kicks]
     moves, some_bonds = displacing(None, bodies, dt, bonds.u), len(bonds.runs) > 0
     begins = [_travel.of(motion, dt, shared)]
     if members is None:

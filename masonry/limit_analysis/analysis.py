@@ -7,6 +7,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
+from masonry.limit_analysis.bar_limits import with_bars
 from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
@@ -88,7 +89,9 @@ def analyse(
     envelope = None if wishes.safety else _envelope(scene, specimen, joints, contacts, method)
     scene = scene if envelope is None else envelope.standing(scene)
     loads = loads_of(scene, specimen, joints, alone)
+    contacts = with_bars(contacts, loads.bars, loads.bodies)
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, envelope=envelope)
+    result.bars = loads.bars
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
     if progress is not None and plane_of(loads.bodies, contacts) is None:
@@ -116,7 +119,8 @@ def _envelope(
         return None
     if scene.vehicle is None or scene.vehicle.position is not None:
         return None
-    bodies = loads_of(scene, specimen, joints, dead_alone=True).bodies
+    loads = loads_of(scene, specimen, joints, dead_alone=True)
+    bodies, contacts = loads.bodies, with_bars(contacts, loads.bars, loads.bodies)
     _require_standing(specimen, bodies, contacts, method)
     return envelope_of(scene, specimen, joints, bodies, contacts, method)
 

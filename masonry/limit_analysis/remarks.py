@@ -28,7 +28,7 @@ USELESS = 0.01
 
 def say_what_it_is(result: LimitData, contacts: RigidContacts, method_word: str, dilation: bool) -> None:
     """The assumptions first, and what kind of number stands under them."""
-    plastic = bool(contacts.cohesion.any() or contacts.tension[np.isfinite(contacts.tension)].any())
+    plastic = bool(contacts.cohesion.any() or contacts.tension[np.isfinite(contacts.tension) & ~contacts.is_bar].any())
     result.assumed = (RIGID if dilation else FLAT) + (LASTS if plastic else "")
     exact = PYRAMIDS if "pyramids" in method_word else GREATEST
     result.bound = NO_BOUND if not dilation else PLASTIC if plastic else exact

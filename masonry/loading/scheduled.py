@@ -15,6 +15,7 @@ from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.events import Event
 from masonry.monitors.unrest import left_of_motion
+from masonry.rows.columns import stored_in
 from masonry.rows.rest_criterion import ENDED
 from masonry.runtime.progress import Effort
 
@@ -177,7 +178,7 @@ class ScheduledLoading(Loading):
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """The drive is held by what the specimen stores. At rest, the next row may be the last."""
         if self.watch is not None:
-            self.watch.see(terms["elastic_blocks"] + terms["elastic_contacts"])
+            self.watch.see(stored_in(terms))
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
             rests = terms["kinetic"] <= ENDED.energy * self.most and self.each_rests()

@@ -10,6 +10,7 @@ from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
 from masonry.laws.state import ContactState, JointProperties, fresh
+from masonry.model.bars.bar_ends import BarEnds
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
@@ -55,6 +56,7 @@ class SideRows(NamedTuple):
     total    rows of u
     first    by kind, and "between", the first row of its points
     sides    (C, 2) rows of both sides
+    ends     (E,) rows of the ends of bars
     ordered  by kind, (start, code, arm) of the sides in the order of their bodies; under "between" nodes, shape
              functions and code of the sides whose points lie between tet nodes, in order of nodes
     """
@@ -62,15 +64,20 @@ class SideRows(NamedTuple):
     total: int
     first: dict[str, int]
     sides: np.ndarray
+    ends: np.ndarray
     ordered: dict[str, tuple]
 
 
-def rows_of_sides(layout: Layout, sides: tuple[Side, Side]) -> SideRows:
-    """The rows of both sides of the contacts."""
+def rows_of_sides(layout: Layout, sides: tuple[Side, Side], ends: BarEnds | None = None) -> SideRows:
+    """The rows of both sides of the contacts, and of the ends of bars."""
+    count = len(sides[0].kind)
+    every = sides if ends is None else (*sides, ends.side)
     kind, row, arm, axes = (
-        np.concatenate([getattr(s, name) for s in sides]) for name in ("form", "row", "arm", "axes")
+        np.concatenate([getattr(s, name) for s in every]) for name in ("form", "row", "arm", "axes")
     )
-    code = np.concatenate([2 * np.arange(len(sides[0].kind)), 2 * np.arange(len(sides[0].kind)) + 1])
+    code = np.concatenate(
+        [2 * np.arange(count), 2 * np.arange(count) + 1, *([] if ends is None else [ends.code(count)])]
+    )
     rigid, affine, _, between = (int(points) for points in np.bincount(kind, minlength=BETWEEN + 1))
     nodes = layout.rows("tets")
     first = {"tets": 0, "rigid": nodes, "affine": nodes + rigid, "between": nodes + rigid + affine}
@@ -85,12 +92,19 @@ def rows_of_sides(layout: Layout, sides: tuple[Side, Side]) -> SideRows:
             place[which] = first[name] + np.arange(len(which))
     which = np.flatnonzero(kind == BETWEEN)
     if len(which):
-        corner, fraction = (np.concatenate([getattr(s, name) for s in sides])[which] for name in ("corner", "fraction"))
+        corner, fraction = (
+            np.concatenate([_three(s, getattr(s, name)) for s in every])[which] for name in ("corner", "fraction")
+        )
         order = np.argsort(corner[:, 0], kind="stable")
         place[which[order]] = first["between"] + np.arange(len(which))
         ordered["between"] = corner[order], fraction[order], code[which[order]]
-    both = aligned(place.reshape(2, -1).T.astype(np.uint32))
-    return SideRows(first["between"] + between, first, both, ordered)
+    both = aligned(place[: 2 * count].reshape(2, -1).T.astype(np.uint32))
+    return SideRows(first["between"] + between, first, both, place[2 * count :], ordered)
+
+
+def _three(side: Side, values: np.ndarray | None) -> np.ndarray:
+    """(n, 3) what sides have of three nodes; -1 of those that have none."""
+    return np.full((len(side.kind), 3), -1) if values is None else values
 
 
 def bodies_of(

@@ -8,6 +8,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
+from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, node_masses
 
@@ -44,6 +45,7 @@ class Conditions:
     motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
     at_points  by load, its forces at points of rigid blocks, whose moments change as blocks move in large displacement
+    bars    between points of blocks; None without any
     moved   per kind, (K, 3) row and number of the dofs that the ground moves, and which of its components does
     """
 
@@ -56,6 +58,7 @@ class Conditions:
     held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     each_load: dict[str, Load] = field(default_factory=dict)
     quiet: Any = None
+    bars: BarPlaces | None = None
     motion: dict[str, np.ndarray] | None = None
     spin: np.ndarray | None = None
     moved: dict[str, np.ndarray] = field(default_factory=dict)

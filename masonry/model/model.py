@@ -6,12 +6,14 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
+from masonry.kernels.bars import Bars
 from masonry.kernels.point_loads import PointLoads
 from masonry.kernels.quiet import QuietRows
 from masonry.kernels.shaking import ROOM, MovedSupports
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
+from masonry.model.bars.bar_ends import BarPlaces, bars_of, ends_of
 from masonry.model.body_arrays import (
     Bodies,
     Contacts,
@@ -69,6 +71,7 @@ class Model:
     dashpots  in closed contacts from then on, None without any; acting: those that act now
     point_loads  forces at points of rigid blocks whose moments change as these move, None without any;
     varying_at_points: (H, K, 3) N of them, of each load that varies, at a factor of 1
+    bars  between points of blocks, and what columns of results show the force of which; None without any
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     configuration  what configuration/configuration.py keeps here: what answers for its displacements
     """
@@ -104,6 +107,8 @@ class Model:
     quiet: tuple[QuietRows | None, ...] | None = None
     point_loads: PointLoads | None = None
     varying_at_points: np.ndarray | None = None
+    bars: Bars | None = None
+    bar_places: BarPlaces | None = None
     parts: Any = field(default=None, init=False, repr=False, compare=False)
     configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
@@ -165,12 +170,13 @@ def build(
     sides, length = _sides(layout, joints)
     stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
     real = real_masses(layout, _density(blocks, materials) if density is None else density)
-    outline = Outline(layout, sides, length, joints.normal)
+    ends = ends_of(layout, conditions.bars, length)
+    outline = Outline(layout, sides, length, joints.normal, ends)
     phases = local_damping(stepping.damping), stepping.swing
     sums = sums_of_phases(blocks, outline, stiffness, real, phases, meetings)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, stiffness.normal)
-    side_rows = rows_of_sides(layout, sides)
-    u = in_rows(np.zeros((side_rows.total, 3)))
+    side_rows = rows_of_sides(layout, sides, ends)
+    u, force = _room(side_rows, len(group), conditions.bars)
     groups, state = _groups(names, group, laws)
     free = {kind: ~prescribed for kind, prescribed in conditions.prescribed.items()}
     model = Model(
@@ -181,7 +187,7 @@ def build(
         group=group,
         state=state,
         groups=groups,
-        contacts=_contacts(side_rows, joints, u),
+        contacts=_contacts(side_rows, joints, u, force),
         bodies=bodies_of(layout, conditions, masses, dt, stiffness.lame, side_rows, expects_motion(stepping.damping)),
         drives=tuple(_row_and_number(conditions.driven.get(kind), kind) for kind in KINDS),
         supports=tuple(_row_and_number(conditions.support.get(kind), kind) for kind in KINDS),
@@ -201,6 +207,8 @@ def build(
         moved_supports=_moved_supports(conditions),
         dashpots=_dashpots(stepping, dt, len(group)),
         quiet=quiet_rows(conditions.quiet, layout, masses, conditions.prescribed, dt),
+        bars=bars_of(conditions.bars, ends, side_rows.ends, side_rows.total, force),
+        bar_places=conditions.bars,
     )
     return model if meetings is None else with_point_loads(enlarged(model, meetings, masses), conditions)
 
@@ -210,10 +218,16 @@ def _density(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
     return np.array([materials[g].density for g in blocks.groups])[blocks.group]
 
 
-def _contacts(side_rows: SideRows, joints: Joints, u: np.ndarray) -> Contacts:
-    """Contacts without a force yet."""
-    force = in_rows(np.zeros((len(joints.area), 3)))
-    return Contacts(side_rows.sides, aligned(joints.normal), aligned(joints.area), u, force)
+def _room(side_rows: SideRows, contacts: int, bars: BarPlaces | None) -> tuple[np.ndarray, np.ndarray]:
+    """Displacements, with a row behind them that never moves where there are bars, and forces of contacts and bars."""
+    more = (0, 0) if bars is None else (1, bars.count)
+    return in_rows(np.zeros((side_rows.total + more[0], 3))), in_rows(np.zeros((contacts + more[1], 3)))
+
+
+def _contacts(side_rows: SideRows, joints: Joints, u: np.ndarray, force: np.ndarray) -> Contacts:
+    """Contacts without a force yet: their rows are the first of force (C + K, 3), those of bars follow."""
+    own = force if len(force) == len(joints.area) else force[: len(joints.area)]
+    return Contacts(side_rows.sides, aligned(joints.normal), aligned(joints.area), u, own)
 
 
 def _sides(layout: Layout, joints: Joints) -> tuple[tuple[stable_step.Side, stable_step.Side], np.ndarray]:
@@ -260,7 +274,8 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     Contacts without strength become patches.
     """
     joints, layout, count = model.joints, model.layout, len(model.group)
-    apart = in_rows(np.zeros((count, 3)))
+    bars = model.bars
+    apart = in_rows(np.zeros((count if bars is None else len(bars.force), 3)))
     bodies = pushed(model.bodies, masses, apart)
     without = np.array([not has_strength(joint) for joint in model.groups.properties], dtype=bool)
     dry = without[model.group]
@@ -272,8 +287,10 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     if near.rules.rise is not None:
         near.rules.rise[...] *= [model.dt, model.dt**2, 1.0 / model.dt]
     frames = near.motion.frame if members is None else near.motion.frame.copy()
-    bodies = without_sides(bodies) if members is None else bodies
-    bonds = bonds_of(model.contacts.sides, joints, layout.centroid, frames, model.contacts.u, apart, ~dry)
+    sides = model.contacts.sides
+    if members is None:
+        bodies, bars = without_sides(bodies, bars)
+    bonds = bonds_of(sides, joints, layout.centroid, frames, model.contacts.u, apart, ~dry)
     return replace(
         model,
         contacts=contacts,
@@ -282,6 +299,7 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
         swept=tuple(np.flatnonzero(~without).tolist()),
         alive=bonds.alive,
         large=Large(bonds, parted[1:], near, members),
+        bars=None if bars is None else bars._replace(force=bonds.force),
     )
 
 

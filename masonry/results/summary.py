@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypedDict
 
 from masonry.errors import SceneError
+from masonry.results.records.bar_record import WithBars
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record, list_of, one_of, table_of
 from masonry.runtime.text_files import json_of
@@ -378,7 +379,7 @@ class Trust(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Summary(Trust, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
+class Summary(Trust, WithBars, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""
 
 

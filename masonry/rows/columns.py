@@ -1,6 +1,6 @@
 """The columns of a curve and of the energy ledger, with the unit of each."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 UNITS = {
     "step": "1",
@@ -50,18 +50,26 @@ RATES = {"velocity": "m/s", "acceleration": "m/s2"}
 """Units of gauges that read no displacement, by what they read."""
 CRUSHING = "crushing"
 """The column (J) of a run that models crushing."""
+BAR_UNITS = {"elastic_bars": "J", "plastic_bars": "J"}
+"""Columns of a run with bars: what they store, and what their yielding took."""
 DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 """What cracks and slip dissipate."""
+ELASTIC_BARS, PLASTIC_BARS = BAR_UNITS
 
 
 def dissipated_in(columns: Iterable[str]) -> tuple[str, ...]:
-    """The columns of what cracks, slip and, where it is modelled, crushing dissipate."""
-    return (*DISSIPATED, CRUSHING) if CRUSHING in columns else DISSIPATED
+    """The columns of what cracks, slip and, where they are modelled, crushing and bars that yield dissipate."""
+    return (*DISSIPATED, *(column for column in (CRUSHING, PLASTIC_BARS) if column in columns))
+
+
+def stored_in(terms: Mapping[str, float]) -> float:
+    """J that blocks, contacts and bars store, of the terms of a ledger."""
+    return terms["elastic_blocks"] + terms["elastic_contacts"] + terms.get(ELASTIC_BARS, 0.0)
 
 
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, CRUSHING, *GROUND.values()}
+    others = {*UNITS, *LARGE_UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, CRUSHING, *GROUND.values()}
     return [column for column in columns if column not in others]
 
 
@@ -71,7 +79,7 @@ def unit_of(column: str) -> str:
     if column in GROUND.values():
         return "m/s2"
     return (
-        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J", CRUSHING: "J"}.get(column)
+        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J", CRUSHING: "J", **BAR_UNITS}.get(column)
         or UNITS.get(column)
         or LARGE_UNITS.get(column, "m")
     )

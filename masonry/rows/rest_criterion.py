@@ -7,6 +7,8 @@ slides or falls slowly is told from a rest by its energy: it gains speed, while 
 from math import inf
 from typing import NamedTuple
 
+from masonry.rows.columns import stored_in
+
 LONE = 10.0
 """Times by which the force on one block may exceed the share that is asked of the sum over all, and by its square the
 energy: where all swing together some swing more than the mean; what falls alone exceeds that within some looks."""
@@ -60,5 +62,5 @@ LEAST_STORED = 1e-6
 
 def still_moving(terms: dict[str, float]) -> float:
     """Kinetic energy over what the specimen stores, by its ledger (J)."""
-    stored = abs(terms["elastic_blocks"] + terms["elastic_contacts"])
+    stored = abs(stored_in(terms))
     return abs(terms["kinetic"]) / max(stored, LEAST_STORED * abs(terms["external_work"]), 1e-300)

@@ -34,6 +34,7 @@ def portrait_rows(scene: SceneData) -> Rows:
         ("fill", _each(tables, "fill")),
         ("vehicle", [_words(tables["vehicle"])] if scene.vehicle is not None else []),
         ("masses", _each(tables, "mass")),
+        ("bars", _each(tables, "bar")),
         ("gravity", [_words(tables["gravity"])] if scene.gravity is not None else []),
         ("motion", _each(tables, "motion")),
         ("quiet", _each(tables, "quiet")),

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, WrapSerializer, model_validator
 
 from masonry.errors import did_you_mean, nearest
-from masonry.rows.columns import FACTOR, GROUND, INPUT_ENERGY, OFF_BALANCE, TILT, UNITS, gauges_of
+from masonry.rows.columns import BAR_UNITS, FACTOR, GROUND, INPUT_ENERGY, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.added_mass import AddedMass
@@ -22,6 +22,7 @@ from masonry.scene.tables.point_counts import DENSITIES, PerAxis
 from masonry.scene.tables.road.vehicle import Vehicle
 from masonry.scene.tables.scatter import Scatter, require_contacts
 from masonry.scene.tables.specimen import Specimen
+from masonry.scene.tables.specimens.bar import BarTable
 from masonry.scene.tables.standard import Standard
 from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Strength, Table
 
@@ -57,6 +58,7 @@ class SceneData(Table):
     fill: tuple[Fill, ...] = ()
     vehicle: Vehicle | None = None
     mass: tuple[AddedMass, ...] = ()
+    bar: tuple[BarTable, ...] = ()
     gravity: Gravity | None = None
     motion: tuple[InitialMotion, ...] = ()
     floor: Floor | None = None
@@ -125,8 +127,8 @@ class SceneData(Table):
 
     @property
     def has_dead_loads(self) -> bool:
-        """Whether there is a traction or gravity: they settle before the drive moves."""
-        return bool(self.traction) or self.gravity is not None
+        """Whether there is a traction, gravity or a bar with pretension: they settle before the drive moves."""
+        return bool(self.traction) or self.gravity is not None or any(bar.pretension for bar in self.bar)
 
     @property
     def shaken(self) -> Ground | None:
@@ -214,6 +216,8 @@ class SceneData(Table):
         data = self.model_dump(exclude_none=True, context={"law": self.law, "confinement": self.confinement})
         if not self.chooses_points:
             data["specimen"].pop("points_per_edge", None)
+        if not self.specimen.slab:
+            del data["specimen"]["slab"]
         for key in LIMITS:
             if self.is_large or key not in self.solver.model_fields_set:
                 del data["solver"][key]
@@ -266,14 +270,16 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, *GROUND.values()]
-        for k, gauge in enumerate(self.gauge):
-            if gauge.name in names:
-                raise KeyedError(f"gauge.{k}.name", f"'{gauge.name}' is a column of the results already; take another")
-            names.append(gauge.name)
-        gauges = gauges_of(names)
+        names = [*UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, *GROUND.values()]
+        named = [(f"gauge.{k}.name", gauge.name) for k, gauge in enumerate(self.gauge)]
+        bars = [(f"bar.{k}.name", name) for k, bar in enumerate(self.bar) for name in bar.names]
+        for where, name in (*named, *bars):
+            if name in names:
+                raise KeyedError(where, f"'{name}' is a column of the results already; take another")
+            names.append(name)
+        gauges = [gauge.name for gauge in self.gauge]
         if self.curve is not None:
-            self._curve_draws(self.curve, gauges)
+            self._curve_draws(self.curve, gauges, [name for _, name in bars])
         if self.standard is not None:
             self._standard_reads(self.standard, gauges)
         led = None if self.limit is None else self.limit.control
@@ -283,8 +289,8 @@ class SceneData(Table):
         if self.limit is not None and self.limit.history is not None and not gauges:
             raise KeyedError("gauge", "missing; the loops of limit.history are drawn over one: give a table [[gauge]]")
 
-    def _curve_draws(self, curve: Curve, gauges: list[str]) -> None:
-        """What it names is there."""
+    def _curve_draws(self, curve: Curve, gauges: list[str], bars: list[str]) -> None:
+        """What it names is there; over the time the force of a bar as well."""
         tilts = self.gravity is not None and self.gravity.tilt is not None
         across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
         if curve.x not in across:
@@ -292,8 +298,8 @@ class SceneData(Table):
         if curve.measured is not None and (curve.x == TILT or self.drive is None):
             raise KeyedError("curve.measured", "is drawn beside the curve of a [drive], over its way or a gauge")
         for name in curve.gauges:
-            if name not in gauges:
-                allowed = ", ".join(["stress", "force", *gauges])
+            if name not in (*gauges, *bars):
+                allowed = ", ".join(["stress", "force", *gauges, *bars])
                 raise KeyedError("curve.y", f"'{name[:60]}' is no gauge; allowed: {allowed}")
             if curve.x != "time":
                 raise KeyedError("curve.y", "a gauge is drawn over the time only: give curve.x = 'time'")

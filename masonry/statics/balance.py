@@ -39,6 +39,8 @@ def _too_much(forces: Equilibrium, contacts: RigidContacts, unknown: np.ndarray)
     shear = forces.force[forces.leader] * np.linalg.norm(unknown[count:-1].reshape(groups, k), axis=1)
     bears = np.bincount(forces.group, contacts.cone_friction * normal + contacts.cohesion, groups)
     beyond = np.maximum(-normal - contacts.tension, (shear - bears)[forces.group])
+    if contacts.most is not None:
+        beyond = np.maximum(beyond, normal - contacts.most)
     beyond[contacts.solid] = 0.0
     if (crush := contacts.crush) is not None:
         total, first, second = (rows @ normal for rows in (crush.total, crush.first, crush.second))

@@ -96,7 +96,8 @@ def _of_the_whole(forces: Equilibrium, scale: float) -> Equilibrium:
 def _bounds(
     forces: Equilibrium, contacts: RigidContacts, between: tuple[float, float], unknowns: int
 ) -> tuple[sparse.csc_array, np.ndarray]:
-    """Rows and sides of: normal forces above -tension where the cone does not say so, and the bounds of the factor."""
+    """Rows and sides of: normal forces above -tension where the cone does not say so, the bounds of the factor, and
+    normal forces of bars below what they bear."""
     friction = contacts.cone_friction
     apex = np.where(friction > 0, contacts.cohesion, np.inf) / np.maximum(friction, 1e-300)
     alone = forces.tangent.shape[1] == 2
@@ -104,9 +105,12 @@ def _bounds(
     which = np.flatnonzero(bounded & ((apex > contacts.tension) | (friction < SMOOTH) | (not alone)))
     least, most = between
     ends = [(sign, bound) for sign, bound in ((-1.0, -least), (1.0, most)) if np.isfinite(bound)]
-    column = np.concatenate([which, np.full(len(ends), unknowns - 1)])
-    sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends]])
+    limited = np.zeros(0, dtype=np.int64) if contacts.most is None else np.flatnonzero(np.isfinite(contacts.most))
+    column = np.concatenate([which, np.full(len(ends), unknowns - 1), limited])
+    sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends], np.ones(len(limited))])
     side = np.concatenate([contacts.tension[which] / forces.force[which], [end[1] for end in ends]])
+    if contacts.most is not None:
+        side = np.concatenate([side, contacts.most[limited] / forces.force[limited]])
     return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
 
 

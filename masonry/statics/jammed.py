@@ -31,10 +31,11 @@ def jammed(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTL
     """The mechanism of what falls under its dead loads unless it is jammed; None where nothing is.
 
     In joints that can press without any load friction is bounded by the pressure that the loads themselves give them,
-    where nothing slides and joints are of one stiffness. What falls then is jammed, if it stands.
+    where nothing slides and joints are of one stiffness. What falls then is jammed, if it stands. What bars press
+    together is not: they are what may have been tightened.
     """
     moves = np.asarray(bodies.free.any(axis=1))
-    loose = np.asarray(moves[contacts.block_a] | moves[contacts.block_b])
+    loose = np.asarray(moves[contacts.block_a] | moves[contacts.block_b]) & ~contacts.is_bar
     if not 0 < loose.sum() <= MUCH or _all_open(bodies, contacts.select(loose)):
         return None
     pressed = np.zeros(contacts.count, dtype=bool)

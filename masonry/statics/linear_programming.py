@@ -34,6 +34,8 @@ def solve_linear(
     low = np.full(count + groups * k + 1, -np.inf)
     high = np.full(len(low), np.inf)
     low[:count] = np.where(contacts.solid, -np.inf, -contacts.tension / forces.force)
+    if contacts.most is not None:
+        high[:count] = contacts.most / forces.force
     low[-1], high[-1] = between
     cost = np.zeros(len(low))
     cost[-1] = -1.0

@@ -1,6 +1,7 @@
 """What limit analysis is given, and what it finds, as plain arrays: bodies, contact points, solutions."""
 
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -43,6 +44,8 @@ class RigidContacts:
     tension           (C,) N, the greatest pull
     solid             (C,) whether the point bears any force
     crush             what compression the polygons bear; None without a limit
+    bar, most         (C,) whether it is no point but a bar, whose normal force above 0 pulls its ends together, along a
+                      normal from b to a; and N, the greatest normal force; None where there are no bars
     """
 
     block_a: np.ndarray
@@ -56,20 +59,28 @@ class RigidContacts:
     tension: np.ndarray
     solid: np.ndarray
     crush: Crushing | None = None
+    bar: np.ndarray | None = None
+    most: np.ndarray | None = None
 
     @property
     def count(self) -> int:
         return len(self.block_a)
 
     def weakened(self, by: float) -> "RigidContacts":
-        """The same with friction, cohesion and tension divided by a number; an endless tension stays so."""
-        tension = np.where(np.isinf(self.tension), self.tension, self.tension / by)
+        """The same with friction, cohesion and tension divided by a number; an endless tension and bars stay so."""
+        tension = np.where(np.isinf(self.tension) | self.is_bar, self.tension, self.tension / by)
         return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=tension)
 
     def with_strength(self, times: float) -> "RigidContacts":
-        """The same with cohesion, tension and compressive strength multiplied by a number."""
+        """The same with cohesion, tension, compressive strength and what bars bear multiplied by a number."""
         crush = None if self.crush is None else self.crush.times(times)
-        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush)
+        most = None if self.most is None else self.most * times
+        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush, most=most)
+
+    @property
+    def is_bar(self) -> np.ndarray:
+        """(C,) which of them are bars."""
+        return np.zeros(self.count, dtype=bool) if self.bar is None else self.bar
 
     @property
     def cone_friction(self) -> np.ndarray:
@@ -79,12 +90,13 @@ class RigidContacts:
     @property
     def has_strength(self) -> bool:
         """Whether anything but friction limits what a point bears."""
-        return self.crush is not None or bool(self.cohesion.any() or self.tension.any())
+        return self.crush is not None or bool(self.cohesion.any() or self.tension.any() or self.is_bar.any())
 
     def select(self, which: np.ndarray) -> "RigidContacts":
         """Some of them; compression is without a limit."""
-        names = [entry.name for entry in fields(self) if entry.name != "crush"]
-        return RigidContacts(**{name: getattr(self, name)[which] for name in names})
+        arrays = [(entry.name, getattr(self, entry.name)) for entry in fields(self) if entry.name != "crush"]
+        chosen: dict[str, Any] = {name: array[which] for name, array in arrays if array is not None}
+        return RigidContacts(**chosen)
 
 
 @dataclass(frozen=True)

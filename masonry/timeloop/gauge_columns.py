@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.ground.ground_motion import Motion
 from masonry.model.gauges import Gauge
+from masonry.model.model import Model
 from masonry.rows.accelerations import accelerations
 from masonry.rows.columns import GROUND, RATES
 
@@ -36,6 +37,13 @@ class UniformGround:
     def accelerations(self, time: np.ndarray) -> dict[str, np.ndarray]:
         """By column, (n,) m/s2 along each axis on which it moves."""
         return {GROUND[axis]: motion.acceleration_at(time - self.begin) for axis, motion in self.motions.items()}
+
+
+def forces_of_bars(model: Model) -> dict[str, float]:
+    """By column, N of the bars that have a name."""
+    if model.bars is None or model.bar_places is None:
+        return {}
+    return {name: float(model.bars.tension[bar]) for name, bar in model.bar_places.columns.items()}
 
 
 def finish_columns(

@@ -26,7 +26,7 @@ from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.checkpointer import Checkpointer
-from masonry.timeloop.gauge_columns import finish_columns
+from masonry.timeloop.gauge_columns import finish_columns, forces_of_bars
 from masonry.timeloop.observers import observers_of
 from masonry.timeloop.recording import Outcome, Recording
 
@@ -221,13 +221,14 @@ class Loop:
             self.keep_peak(row["stress"])
 
     def readings(self, before: list[np.ndarray]) -> dict[str, float]:
-        """By gauge: what it reads. Velocities now are the mean of those half a step before and after."""
+        """By gauge what it reads, and by bar that has a name its force (N). Velocities now are the mean of those half a
+        step before and after."""
         model, gauges = self.model, self.recording.gauges
         velocities = {}
         if any(gauge.quantity == "velocity" for gauge in gauges):
             parts = zip(parts_of(model), before, strict=True)
             velocities = {part.name: 0.5 * (part.velocities(old) + part.body.v) for part, old in parts}
-        return {gauge.name: gauge.look(model, velocities) for gauge in gauges}
+        return {gauge.name: gauge.look(model, velocities) for gauge in gauges} | forces_of_bars(model)
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive
@@ -253,6 +254,7 @@ class Loop:
         history.rows = {key: np.array(values, dtype=float) for key, values in self.rows.items()}
         recording, settled = self.recording, self.settle * self.model.dt
         history.units = finish_columns(history.rows, recording.gauges, recording.ground, settled)
+        history.units |= dict.fromkeys(forces_of_bars(self.model), "N")
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         if (energy_in := self.outcome.observed.pop(INPUT_ENERGY, None)) is not None:
             history.rows[INPUT_ENERGY] = energy_in

@@ -136,7 +136,7 @@ class WaitingPhase(Phase):
         rests = unbalanced(model, before) <= level.force
         if rests:
             now = energy.observe(model)
-            rests = abs(energy.kinetic(model, before)) <= level.energy * (now.elastic_blocks + now.elastic_contacts)
+            rests = abs(energy.kinetic(model, before)) <= level.energy * now.stored
         alone = rests and self.trials.travels.moves_alone(before, self.calm)
         self.calm = self.calm + 1 if rests and not alone else 0
         return alone

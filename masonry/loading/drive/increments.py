@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from masonry.configuration.energy import Seen
-from masonry.rows.columns import CRUSHING
+from masonry.rows.columns import CRUSHING, stored_in
 from masonry.runtime.state_file import Remembering
 
 
@@ -22,9 +22,8 @@ class DriveRow(NamedTuple):
     @classmethod
     def of(cls, force: float, support: float, seen: Seen, terms: dict[str, float]) -> "DriveRow":
         """From the ledger (J)."""
-        stored = terms["elastic_blocks"] + terms["elastic_contacts"]
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms.get(CRUSHING, 0.0)
-        return cls(force, support, seen, stored, broken, terms["kinetic"], terms["damping"])
+        return cls(force, support, seen, stored_in(terms), broken, terms["kinetic"], terms["damping"])
 
 
 class Increments(Remembering):

@@ -16,6 +16,7 @@ from masonry.detection.pieces import pieces_of
 from masonry.detection.placing import turned_of
 from masonry.detection.spread import rounds_of
 from masonry.detection.tet_pieces import FACES
+from masonry.kernels.bars import Bars
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
 from masonry.kinematics.rigid import Rigid
@@ -187,13 +188,23 @@ def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     return pace
 
 
-def without_sides(bodies: Bodies) -> Bodies:
-    """Rigid bodies without the sides of contacts: patches replace them, or bonds of two blocks push as one."""
+def without_sides(bodies: Bodies, bars: Bars | None = None) -> tuple[Bodies, Bars | None]:
+    """Rigid bodies without the sides of contacts: patches replace them, or bonds of two blocks push as one. Bars have
+    theirs, whose displacements stand in the first rows."""
     body = bodies.rigid
+    keeps = body.code >> 1 >= (len(body.code) if bars is None else bars.first)
+    before = np.concatenate([[0], np.cumsum(keeps)])
     body = body._replace(
-        start=np.zeros_like(body.start), code=body.code[:0].copy(), arm=body.arm[:0].copy(), apart=None
+        start=before[body.start].astype(body.start.dtype),
+        code=body.code[keeps].copy(),
+        arm=body.arm[keeps].copy(),
+        apart=None,
     )
-    return bodies._replace(rigid=body)
+    if bars is not None:
+        still = bars.sides >= body.first_point + len(keeps)
+        rows = np.where(still, bars.sides, body.first_point + before[np.where(still, 0, bars.sides - body.first_point)])
+        bars = bars._replace(sides=rows.astype(np.int64))
+    return bodies._replace(rigid=body), bars
 
 
 def near_of(

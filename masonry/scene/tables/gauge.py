@@ -40,7 +40,7 @@ def _read(value: Any, info: ValidationInfo) -> str | Coordinates:
     return Coordinates(**known)
 
 
-def _named(value: str) -> str:
+def column_name(value: str) -> str:
     """A name that can head a column of a table."""
     if NAME.fullmatch(value):
         return value
@@ -64,7 +64,7 @@ class GaugeTable(Table):
     """The displacement of a place in one direction, its velocity or its acceleration, less that of another place: a
     column of the results."""
 
-    name: Annotated[str, AfterValidator(_named)]
+    name: Annotated[str, AfterValidator(column_name)]
     at: Where
     direction: Direction
     quantity: Quantity = "displacement"

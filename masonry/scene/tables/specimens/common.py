@@ -1,8 +1,8 @@
 """What the tables of all specimens have, and how their units are divided."""
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.point_counts import (
@@ -24,6 +24,15 @@ class TurnTable(Table):
     through: tuple[Position, Position, Position] = (0.0, 0.0, 0.0)
 
 
+class SlabTable(Table):
+    """A box besides the blocks of a specimen: a floor that rests on walls, a lintel, a wall plate."""
+
+    name: Annotated[str, Field(min_length=1)]
+    origin: tuple[Position, Position, Position]
+    size: tuple[Length, Length, Length]
+    group: Annotated[str, Field(min_length=1)] = "slabs"
+
+
 class SpecimenTable(Table):
     """What all specimens have; `section`, if given, takes the place of the specimen's own."""
 
@@ -38,6 +47,7 @@ class SpecimenTable(Table):
     mesh: Literal["gmsh", "fan"] = "gmsh"
     mesh_size: Length | None = None
     turned: TurnTable | None = None
+    slab: tuple[SlabTable, ...] = ()
 
     @model_validator(mode="before")
     @classmethod

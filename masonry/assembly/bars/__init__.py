@@ -1,0 +1,1 @@
+"""From a scene's bars to the blocks that hold their ends."""

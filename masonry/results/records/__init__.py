@@ -1,0 +1,1 @@
+"""Records of summary.json that only some runs have."""
