@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
     from masonry.limit_analysis.limit_result import LimitResult
+    from masonry.materials.contact_table import ContactTable
     from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene import Scene
     from masonry.sweeps.sweep_run import SweepResult
@@ -58,6 +59,29 @@ def load(scene: "str | Path | Mapping[str, Any]", overrides: Any = ()) -> "Scene
     from masonry.scene import load as load_scene
 
     return load_scene(_packed(scene), _packed(overrides))
+
+
+def contact(scene: "SceneLike | None" = None, **known: Any) -> "ContactTable":
+    """The contact table of a scene from moduli, tests or the tables of Eurocode 6, with the source of each number.
+
+    scene  the one that it is for: it then has its kinematics, divisions and heights
+    known  what is known, as texts with their unit: the options of `masonry contact` with _ for -; `triplets` may be
+           pairs of pressure and shear strength
+    What comes back prints as TOML, and is what `Scene.with_` takes. Its `tables` are those of a scene file, its
+    `ranges` (SI) what a sensitivity should vary, its `notes` what to mind. Raises SceneError.
+
+    >>> joint = masonry.contact("couplet", unit="clay", unit_strength="20 MPa", mortar="M5", joint="10 mm")
+    >>> joint["contact.unit_unit"]["cohesion"], joint["contact.unit_unit"]["tan_friction_angle"]
+    ('0.25 MPa', 0.5)
+    >>> couplet = masonry.load("couplet").with_(joint)
+    >>> couplet.contact["unit_unit"].cohesion  # Pa
+    250000.0
+    """
+    from masonry.materials.contact_data import ContactData
+    from masonry.materials.contact_table import ContactTable
+    from masonry.materials.scene_data import with_scene
+
+    return ContactTable(ContactData(known if scene is None else with_scene(known, _scene(scene))))
 
 
 def check(scene: "SceneLike") -> "Report":

@@ -36,6 +36,7 @@ FLOORS = (
         "masonry.configuration",
     ),
     *("masonry.ground", "masonry.scene.tables", "masonry.scene"),
+    "masonry.materials",
     *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
     "masonry.timeloop",

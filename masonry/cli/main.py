@@ -41,6 +41,7 @@ APART = {
     "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
     "modes": ("masonry.cli.modes_command", "frequencies, shapes and effective masses of a scene"),
     "law": ("masonry.cli.law_command", "which laws there are, and what one of them does"),
+    "contact": ("masonry.cli.contact_command", "the contact table of a scene from moduli, tests or Eurocode 6"),
     "record": ("masonry.cli.record_command", "make a record of the ground by seed, of a stated spectrum, as CSV"),
     "sweep": ("masonry.sweeps.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
     "sensitivity": ("masonry.comparison.study_command", "run a scene in several ways: what does the answer depend on?"),

@@ -10,7 +10,7 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.scene.lines import split_key
 from masonry.scene.source import Source
-from masonry.scene.variant import Keys, drop_rivals
+from masonry.scene.variant import Keys, drop_rivals, forget
 
 Overrides = Mapping[str, Any] | Sequence[str]
 
@@ -36,7 +36,10 @@ def apply(source: Source, overrides: Overrides) -> None:
             assumptions[key] = f"set to {value} by the user"
     set_here = {path[:n] for path in keys for n in range(1, len(path) + 1)}
     for path, key in keys.items():
-        drop_rivals(source.raw, path, {*set_here, ("assumptions", key)})
+        mine = {*set_here, ("assumptions", key)}
+        drop_rivals(source.raw, path, mine)
+        if isinstance(settings[key], dict):
+            forget(source.raw, path, mine)
 
 
 def _split(text: str) -> tuple[str, str]:

@@ -31,14 +31,14 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
     merged = deepcopy(below)
     if _kind(above) not in (None, _kind(below)):
         merged.pop("specimen", None)
-        _forget(merged, ("specimen",), ())
+        forget(merged, ("specimen",), ())
     paths = list(leaves(above))
     _put(merged, above)
     keys = {path[:n] for path in paths for n in range(1, len(path) + 1)}
     for path in paths:
         if path[0] != "assumptions":
             drop_rivals(merged, path, keys)
-            _forget(merged, path, keys)
+            forget(merged, path, keys)
     return merged
 
 
@@ -72,7 +72,7 @@ def _drop(raw: dict[str, Any], table: Any, at: Keys, keys: Container[Keys]) -> N
     """Take the key at the end of `at` out of its table, unless it is among the new keys."""
     if isinstance(table, dict) and at[-1] in table and at not in keys:
         del table[at[-1]]
-        _forget(raw, at, keys)
+        forget(raw, at, keys)
 
 
 def _is_list(value: Any) -> bool:
@@ -97,7 +97,7 @@ def leaves(table: dict[str, Any], path: Keys = ()) -> Iterator[Keys]:
             yield (*path, key)
 
 
-def _forget(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
+def forget(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
     """Drop assumptions about a key, or about parts of it, that are not among the new keys."""
     assumptions, dotted = raw.get("assumptions"), ".".join(map(str, path))
     if isinstance(assumptions, dict):

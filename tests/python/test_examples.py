@@ -13,6 +13,7 @@ FUNCTIONS = sorted(name for name, _ in inspect.getmembers(masonry, inspect.isfun
 def test_these_are_the_functions_that_a_user_has():
     assert FUNCTIONS == [
         "check",
+        "contact",
         "limit",
         "load",
         "load_result",

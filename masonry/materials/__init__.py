@@ -1,0 +1,1 @@
+"""Stiffness and strength of joints from moduli, tests and codes: what `masonry contact` says."""
