@@ -21,6 +21,7 @@ def test_these_are_the_functions_that_a_user_has():
         "run",
         "scenes",
         "sensitivity",
+        "sweep",
         "write_blocks",
     ]
 
