@@ -10,12 +10,13 @@ from masonry.pictures.camera import box_of, usual_view
 from masonry.pictures.crack_style import crack_keys, draw_scales, kinds_of, scale_of
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.front import FlatDrawing, group_colours
+from masonry.pictures.labels import key_below
 from masonry.pictures.large.moved_blocks import MovedDrawing
 from masonry.pictures.large.scale_bar import draw_scale_bar
 from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
-from masonry.results.dry_joints import LEAST_DAMAGE
+from masonry.results.dry_joints import LEAST_DAMAGE, NARROW
 from masonry.results.frame_choice import at_stronger_side, moment, without_noise
 from masonry.rows.history import Frame
 
@@ -27,12 +28,12 @@ VISIBLE = 0.04
 CLOSED = 0.0025
 """What joints give way elastically is drawn as at most this share of it, about the width of a line: else strain looks
 like cracks where it opens, and like a layer between the units where it closes."""
+MOST = 1000.0
+"""How many times displacements are drawn at most: what a wall that stands gives way looks like a collapse else."""
 LITTLE = 4.0
 """How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
 BESIDE = 0.3
 """Height over length above which two panels stand beside each other."""
-KEY_WIDTH = 2.0
-"""Inches of an entry of the legend."""
 
 
 def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
@@ -59,7 +60,7 @@ def magnification(frame: Frame, size: float) -> float:
     shape, and where nothing moves."""
     largest = max(largest_move(frame), VISIBLE / CLOSED * elastic_move(frame))
     larger = float(f"{VISIBLE * size / largest:.2g}") if largest > 1e-12 * size else 1.0
-    return larger if larger >= LITTLE else 1.0
+    return min(larger, MOST) if larger >= LITTLE else 1.0
 
 
 def elastic_move(frame: Frame) -> float:
@@ -121,6 +122,7 @@ def gallery(
         if result.is_large:
             draw_scale_bar(one)
         title = panel_title(result, name, frame, larger, narrow=columns > 2)
+        title += "" if len(lines.opening) else f", no crack of {NARROW * MILLI:g} mm"
         one.set_title(title, fontsize=10 if columns > 2 else 11)
     thrusts = [
         line for drawing, (_, _, frame) in zip(shown, panels, strict=True) for line in thrusts_of(drawing, [frame])
@@ -219,5 +221,4 @@ def draw_keys(
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds)
     keys += {line.in_a_row: line.key() for line in thrusts}.values()
-    columns = -(-len(keys) // -(-len(keys) // max(int(figure.get_figwidth() / KEY_WIDTH), 1)))
-    figure.legend(handles=keys, loc="outside lower center", ncols=columns, frameon=False, fontsize=10)
+    key_below(figure, keys)

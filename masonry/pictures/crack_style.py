@@ -9,6 +9,7 @@ from masonry.pictures.camera import Camera
 from masonry.pictures.crack_lines import CrackLines
 from masonry.pictures.style import MILLI
 from masonry.results.deformation import BlockCorners, Deformation
+from masonry.results.dry_joints import NARROW
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -20,17 +21,20 @@ DRY = "#3a7d34"
 """The colour of joints without strength that slid or opened."""
 CRUSHED = "#d01c8b"
 """The colour of joints that crushed: they closed for good."""
-LEAST_OPENING = 1e-12
-"""Openings (m) up to this one, far less than an atom, are but rounding."""
+LEAST_SCALE = 1e-5
+"""Openings (m) smaller than this one are drawn thin, as there is no larger one."""
 THIN, THICK = 0.9, 4.6
-"""Widths of a line in points: where the faces have not moved apart, and where they did by the scale of the picture."""
+"""Widths of a line in points: where the faces have hardly moved apart, and where they did by the scale of the
+picture."""
 
 
 def scale_of(openings: np.ndarray) -> float:
-    """The opening (m) that is drawn at full width: the largest of them, rounded up to one digit; 0 without any."""
+    """The opening (m) that is drawn at full width: the largest of them, rounded up to one digit, but no less than
+    LEAST_SCALE; 0 without any of NARROW."""
     largest = float(openings.max(initial=0.0))
-    if largest <= LEAST_OPENING:
+    if largest < NARROW:
         return 0.0
+    largest = max(largest, LEAST_SCALE)
     power = 10.0 ** np.floor(np.log10(largest))
     return float(power * np.ceil(largest / power * (1.0 - 1e-9)))
 
@@ -116,9 +120,9 @@ def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
     if "crushed" in kinds:
         keys.append(Line2D([], [], color=CRUSHED, linewidth=3.0, label="crushed"))
     if scale > 0.0:
-        shown = np.array([0.0, 0.5 * scale, scale])
+        shown = np.array([NARROW, 0.5 * scale, scale])
+        moved = "opened, slid or crushed" if "crushed" in kinds else "opened or slid"
         for opening, width in zip(shown, widths(shown, scale), strict=True):
-            moved = "opened, slid or crushed" if "crushed" in kinds else "opened or slid"
-            word = f"{moved} {opening * MILLI:.3g} mm" if opening else "not opened"
+            word = f"{moved} {opening * MILLI:.3g} mm" + (" (less is not drawn)" if opening == NARROW else "")
             keys.append(Line2D([], [], color="0.35", linewidth=width, label=word))
     return keys

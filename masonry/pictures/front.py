@@ -12,7 +12,7 @@ from masonry.pictures.crack_lines import CrackLines, Outlines, crack_lines, outl
 from masonry.pictures.crack_style import draw_cracks
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.thrust_line import thrust_line
-from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, moved_undamaged
+from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, as_it_stands, moved_undamaged
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -36,7 +36,8 @@ class FlatDrawing(Drawing):
         frame = as_it_stands(self.result, frame)
         lines = crack_lines(self.result.joints, frame, self.camera)
         lines = replace(lines, dry=moved_undamaged(self.result, frame)[lines.contact])
-        return lines.select((lines.damage > LEAST_DAMAGE) | lines.dry | lines.crushed)
+        cracked = (lines.damage > LEAST_DAMAGE) | lines.dry | lines.crushed
+        return lines.select(cracked & (lines.opening >= NARROW))
 
     def draw(self, axes: Any, frame: Frame, cracks: CrackLines, times: float, scale: float) -> None:
         blocks = self.result.specimen.blocks

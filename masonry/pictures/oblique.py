@@ -19,7 +19,7 @@ from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.results.deformation import BlockCorners, Deformation
-from masonry.results.dry_joints import LEAST_DAMAGE, as_it_stands, crushed, moved_undamaged
+from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, as_it_stands, crushed, moved_undamaged
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -123,12 +123,12 @@ class SolidDrawing(FacesDrawing):
 
 
 def joint_cracks(result: "ResultData", frame: Frame) -> JointCracks:
-    """The contacts of a frame that are damaged, or have moved for good without damage."""
+    """The contacts of a frame that are damaged, or have moved for good without damage, by NARROW or more."""
     frame = as_it_stands(result, frame)
     dry = moved_undamaged(result, frame)
     crushing = crushed(frame)
-    c = np.flatnonzero((frame.damage > LEAST_DAMAGE) | dry | crushing)
     moved = frame.parted if frame.crushing is None else np.where(crushing, frame.crushing, frame.parted)
+    c = np.flatnonzero(((frame.damage > LEAST_DAMAGE) | dry | crushing) & (moved >= NARROW))
     led = frame.damage_tension[c] >= frame.damage_shear[c]
     return JointCracks(c, frame.damage[c], led, moved[c], dry[c], crushing[c])
 

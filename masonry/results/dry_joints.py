@@ -20,6 +20,8 @@ PARTED = 0.5
 """Of the root of a joint's area: an opening or slip beyond which its two sides have nothing to do with each other."""
 LEAST = 1e-12
 """Movements (m) up to this one are but rounding."""
+NARROW = 1e-6
+"""Movements (m) below this one are drawn as no crack: nothing that is measured on masonry sees them."""
 
 
 def moved_undamaged(result: "ResultData", frame: Frame) -> np.ndarray:
