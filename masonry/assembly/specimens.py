@@ -20,6 +20,7 @@ from geometry.specimens.placed import on_floor, turned, with_slabs
 from geometry.specimens.stacked import couplet, prism
 from geometry.specimens.wallette import wallette
 from geometry.structures.arch import arch
+from geometry.structures.bridge import BridgeArch, Pier, bridge
 from geometry.structures.column import column
 from geometry.structures.dome import dome
 from geometry.structures.multi_leaf import multi_leaf
@@ -35,6 +36,7 @@ from masonry.scene.tables.specimens.structures import OpeningTable
 
 STRUCTURES: dict[str, Callable[..., Specimen]] = {
     "arch": arch,
+    "bridge": bridge,
     "vault": vault,
     "dome": dome,
     "column": column,
@@ -131,6 +133,9 @@ def _structure(spec: Any) -> Specimen:
     values = {key: ring[key] if key in ring else getattr(spec, key) for key in signature(build).parameters}
     if "opening" in values:
         values["opening"] = [_opening(table) for table in spec.opening]
+    if spec.kind == "bridge":
+        values |= {"arch": [BridgeArch(**dict(table)) for table in spec.arch]}
+        values |= {"pier": [Pier(**dict(table)) for table in spec.pier]}
     if "core" in values:
         values["core"] = _cells(spec.core)
     return _divided(build(**values), spec)

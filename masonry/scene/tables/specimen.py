@@ -10,6 +10,7 @@ from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable
 from masonry.scene.tables.specimens.structures import (
     ArchSpec,
+    BridgeSpec,
     ColumnSpec,
     DomeSpec,
     MultiLeafSpec,
@@ -145,6 +146,7 @@ Specimen = Annotated[
     | WalletteSpec
     | BendingSpec
     | ArchSpec
+    | BridgeSpec
     | VaultSpec
     | DomeSpec
     | ColumnSpec

@@ -93,6 +93,54 @@ class ArchSpec(_Ring):
         return self.voussoirs + 2, self.length_of_ring * self.thickness * self.depth, self.depth
 
 
+class BridgeArchTable(Table):
+    """An arch of a bridge, by span and rise of its intrados; `geometry.structures.bridge.BridgeArch`."""
+
+    span: Length
+    rise: Length
+    thickness: Length
+    voussoirs: Voussoirs
+
+    @model_validator(mode="after")
+    def _is_at_most_a_semicircle(self) -> "BridgeArchTable":
+        if self.rise > 0.5 * self.span:
+            raise KeyedError("rise", f"must be half of the span or less, {0.5 * self.span:g} m; that is a semicircle")
+        return self
+
+
+class PierTable(Table):
+    """What two arches of a bridge spring from; `geometry.structures.bridge.Pier`."""
+
+    width: Length
+    height: Length
+    courses: Count
+
+
+class BridgeSpec(Structure):
+    """Arches side by side, on piers between two abutments."""
+
+    kind: Literal["bridge"]
+    depth: Length
+    arch: Annotated[tuple[BridgeArchTable, ...], Field(min_length=1, max_length=100)]
+    pier: tuple[PierTable, ...] = ()
+
+    @model_validator(mode="after")
+    def _has_a_pier_between_each_two_arches(self) -> "BridgeSpec":
+        if len(self.pier) != len(self.arch) - 1:
+            needed = f"{len(self.arch)} arches have {len(self.arch) - 1} piers between them"
+            raise KeyedError("pier", f"{needed}; here are {len(self.pier)}")
+        return self
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        rings = [ring_over(one.span, one.rise, one.thickness)[:2] for one in self.arch]
+        area = sum(r * angle * one.thickness for (r, angle), one in zip(rings, self.arch, strict=True))
+        area += sum(pier.width * pier.height for pier in self.pier)
+        units = sum(one.voussoirs for one in self.arch) + sum(pier.courses + 1 for pier in self.pier) + 2
+        return units, area * self.depth, self.depth
+
+
 class VaultSpec(_Ring):
     """A barrel vault: courses in bond between two abutments."""
 
