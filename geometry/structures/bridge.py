@@ -70,8 +70,8 @@ def bridge(arch: Sequence[BridgeArch], pier: Sequence[Pier], depth: float) -> Sp
         own = add(voussoir_outlines(ends), f"arch {k + 1}", "voussoirs", "extrados")
         parts.sets |= {f"arch {k + 1} voussoir {n + 1}": own[[n]] for n in range(len(own))}
         parts.sets[f"arch {k + 1} keystone"] = own[crown(len(own))]
-    for k, one in enumerate(pier):
-        name, outlines = f"pier {k + 1}", _courses(k + 1, one, rings[k][-1], rings[k + 1][0])
+    for k, below in enumerate(pier):
+        name, outlines = f"pier {k + 1}", _courses(k + 1, below, rings[k][-1], rings[k + 1][0])
         add(outlines[:1], f"{name} footing", "foundations")
         add(outlines[1:-1], name)
         add(outlines[-1:], name, f"{name} springer", "extrados")

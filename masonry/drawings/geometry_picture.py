@@ -12,7 +12,7 @@ from masonry.assembly.assemble import joined
 from masonry.drawings.condition_marks import Mark, marks
 from masonry.drawings.mark_drawing import COLOURS, draw_mark, place_of_value, stands_left
 from masonry.drawings.picture_frame import draw_axes, draw_sets
-from masonry.drawings.road_drawing import draw_road
+from masonry.drawings.road_drawing import draw_road, road_keys
 from masonry.pictures.camera import Camera, camera_of, with_less_floor
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
@@ -89,7 +89,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     left_taken = any(stands_left(specimen, mark) for mark in listed)
     draw_sets(axes, specimen, pieces, camera, size, words, left_taken)
     draw_axes(axes, blocks, camera, left_taken)
-    rows = _draw_list(figure, blocks, listed)
+    rows = _draw_list(figure, blocks, listed, road_keys(scene))
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max
     drawn = (WIDTH - 1.2) * float((high[1] - low[1]) / (high[0] - low[0]))
@@ -106,8 +106,9 @@ def _blocks(count: int) -> str:
     return f"{count} block{'s' * (count > 1)}"
 
 
-def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:
-    """Groups, and a line for each support, drive and traction, below the picture; how many rows that takes."""
+def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark], road: list[tuple[str, str]]) -> int:
+    """Groups, and a line for each support, drive, traction, fill and vehicle, below the picture; how many rows that
+    takes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -120,6 +121,7 @@ def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark]) -> int:
     for mark in listed:
         symbol = "^" if mark.kind == "support" else ">"
         keys.append(Line2D([], [], marker=symbol, ls="", color=COLOURS[mark.kind], label=plain(mark.words)))
+    keys += [Patch(facecolor=colour, label=plain(words)) for colour, words in road]
     columns = 1 if max(len(key.get_label()) for key in keys) > 60 else 2
     figure.legend(handles=keys, loc="outside lower left", ncols=columns, frameon=False, fontsize=9)
     return -(-len(keys) // columns)

@@ -32,13 +32,27 @@ def draw_road(
         _draw_vehicle(axes, scene, specimen, joints, camera)
 
 
+def road_keys(scene: Scene) -> list[tuple[str, str]]:
+    """Colour and words of what `draw_road` draws, for the list below a picture."""
+    keys = [
+        (EARTH, f"fill {k}: on {fill.on}, up to {fill.level:.4g} m, {fill.density:.4g} kg/m3")
+        for k, fill in enumerate(scene.fill)
+    ]
+    if (vehicle := scene.vehicle) is None:
+        return keys
+    axles = "1 axle" if len(vehicle.axles) == 1 else f"{len(vehicle.axles)} axles"
+    where = "travels" if vehicle.position is None else f"at x = {vehicle.position:.4g} m"
+    spread = f"spreads by {np.degrees(vehicle.spread):.3g} deg"
+    return [*keys, (AXLE, f"vehicle: {axles}, {vehicle.total * 1e-3:.4g} kN, {where}; {spread}")]
+
+
 def _draw_earth(
     axes: Any, specimen: Specimen, faces: np.ndarray, level: float, camera: Camera, moves: Moves | None
 ) -> None:
-    """Columns above faces, as a strip on the near side."""
+    """Columns above faces, as a strip on the far side."""
     from matplotlib.collections import PolyCollection
 
-    blocks, y = specimen.blocks, _near(specimen, camera)
+    blocks, y = specimen.blocks, _side(specimen, camera)
     corners, count = (array[faces] for array in pad(blocks.points, blocks.face_start, blocks.face_points))
     if moves is not None:
         owner = np.repeat(blocks.face_block()[faces], corners.shape[1])
@@ -50,13 +64,13 @@ def _draw_earth(
         ends = [(at, min(z[np.isclose(x, at)].max(), level)) for at in (left, right)]
         outline = [ends[0], ends[1], (right, level), (left, level)]
         strips.append(camera.project(np.array([[a, y, b] for a, b in outline])))
-    axes.add_collection(PolyCollection(strips, facecolors=EARTH, edgecolors=EARTH, linewidths=0.4, zorder=0.4))
+    axes.add_collection(PolyCollection(strips, facecolors=EARTH, edgecolors=EARTH, linewidths=0.8, zorder=0.4))
 
 
 def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera) -> None:
     from matplotlib.collections import PolyCollection
 
-    vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), _near(specimen, camera)
+    vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), _side(specimen, camera)
     assert vehicle is not None
     level, arrow = vehicle.level, ARROW * camera.size
 
@@ -85,7 +99,7 @@ def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, c
     axes.add_collection(PolyCollection(spreads, facecolors=AXLE, alpha=0.22, edgecolors="none", zorder=0.6))
 
 
-def _near(specimen: Specimen, camera: Camera) -> float:
-    """m, y of the side of a specimen that a camera sees."""
+def _side(specimen: Specimen, camera: Camera) -> float:
+    """m, y of the side of a specimen on which earth is drawn: the far one, as it is drawn behind the blocks."""
     y = specimen.blocks.points[:, 1]
-    return float(y.min() if camera.toward[1] < 0.0 else y.max())
+    return float(y.max() if camera.toward[1] < 0.0 else y.min())

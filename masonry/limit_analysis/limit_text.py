@@ -94,8 +94,8 @@ def _positions(envelope: FactorEnvelope) -> list[str]:
     off = 1.0 - envelope.bound / max(float(envelope.factor.min()), 1e-300)
     lead = "" if len(set(envelope.direction)) == 1 else f" --set vehicle.direction={envelope.direction[envelope.least]}"
     return [
-        f"{len(position)} positions from {position.min():.4g} m to {position.max():.4g} m; none of their mechanisms "
-        f"gives less anywhere between, by more than {max(off, 1e-6):.0e} of it",
+        f"{len(position)} positions from {position.min():.4g} m to {position.max():.4g} m; between them no mechanism "
+        f"of theirs gives less, to {max(off, 1e-6):.0e}",
         f"a run there: --set 'vehicle.position={position[envelope.least]:.4f} m'{lead} --set 'limit.accuracy=1 %'",
     ]
 

@@ -20,6 +20,7 @@ STEPS = {
     "bending-025": 74528,
     "block-rocking": 103978,
     "block-shaken": 585385,
+    "bridge": 20000,
     "bridge-single-span": 20000,
     "column-pulse": 211180,
     "column-pushed": 105682,

@@ -161,7 +161,7 @@ def _pier_cuts(before: Cuts, behind: Cuts, pier: tuple[float, float, int], weigh
     return Cuts(np.array(joints), np.array(all_wrenches))
 
 
-def _area_and_middle(outline: np.ndarray) -> tuple[float, float]:
+def _area_and_middle(outline: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """m2 and x (m) of the centroid of polygons (..., n, 2) m, whichever way round."""
     x, z = outline[..., 0], outline[..., 1]
     cross = x * np.roll(z, -1, axis=-1) - np.roll(x, -1, axis=-1) * z
