@@ -1,9 +1,8 @@
 """What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
-import math
 
-from masonry.errors import SceneError, visible
+from masonry.errors import visible
 from masonry.runtime.shell import OK
 
 
@@ -49,26 +48,11 @@ def export_scene(words: argparse.Namespace) -> int:
 
 def import_blocks(words: argparse.Namespace) -> int:
     """`masonry import`: a scene and a file of blocks, and a table of what was found."""
-    from masonry.importing import importing
-    from masonry.importing.report import report_text
-    from masonry.quantity import parse
-    from masonry.runtime.tables import aligned
+    from masonry.importing.import_words import OTHERS, QUANTITIES, settings_of
+    from masonry.importing.importing import import_file
 
-    wishes = importing.ImportSettings(
-        unit=None if words.unit is None else parse(_one(words.unit), "length", "--unit", "[1e-9, 1e5]"),
-        tolerance=parse(words.tolerance, "length", "--tolerance", "[1e-9, 1]"),
-        thickness=None if words.thickness is None else parse(words.thickness, "length", "--thickness", "[1e-9, 1e5]"),
-        facet=None if words.facet is None else parse(words.facet, "length", "--facet", "[1e-9, 1e5]"),
-        groups=[_group(text) for text in words.group],
-        section=None if words.section is None else parse(words.section, "area", "--section", "[1e-12, 1e8]"),
-        open_gaps=words.open_gaps,
-        up=_axis(words.up),
-        holes=None if words.holes is None else parse(words.holes, "length", "--holes", "[1e-9, 1e5]"),
-        gap=None if words.gap is None else parse(words.gap, "length", "--gap", "[1e-9, 10]"),
-        angle=parse(words.angle, "angle", "--angle", f"(0, {math.pi / 3}]"),
-    )
-    report = importing.import_file(words.file, words.out, wishes, words.overwrite)
-    print(aligned(report_text(report)))
+    told = {word: getattr(words, word) for word in (*QUANTITIES, *OTHERS)}
+    print(import_file(words.file, words.out, settings_of(told, "--"), words.overwrite))
     return OK
 
 
@@ -102,21 +86,3 @@ def doctor(words: argparse.Namespace) -> int:
         warm(lambda line: print(line, flush=True))
         return OK
     return OK if diagnose(words.quick, lambda line: print(line, flush=True)) else 1
-
-
-def _one(unit: str) -> str:
-    """A unit by itself means one of it."""
-    return unit if unit[:1].isdigit() else f"1 {unit}"
-
-
-def _axis(text: str) -> str:
-    if text not in ("x", "y", "z"):
-        raise SceneError(f"--up '{text}': allowed: x, y, z")
-    return text
-
-
-def _group(text: str) -> tuple[str, str]:
-    pattern, equals, group = text.rpartition("=")
-    if not equals or not pattern or not group or "." in group or not group.isprintable():
-        raise SceneError(f"--group '{text}': write PATTERN=GROUP, for example 'brick*=units'; no dot in a group")
-    return pattern, group

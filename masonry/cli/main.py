@@ -113,19 +113,21 @@ def _add_import(added: Any) -> None:
         "file",
         type=Path,
         metavar="FILE",
-        help=".step .stp .iges .igs .brep .obj .ply .stl .tess .msh .vtu, or a folder of .obj .ply .stl; "
+        help=".step .stp .iges .igs .brep .obj .ply .stl .json .tess .msh .vtu, or a folder of .obj .ply .stl; "
         "wall.obj, dome.obj, crossvault.obj and stones come with the program",
     )
     words.add_argument("--out", type=Path, required=True, metavar="SCENE.toml", help="the scene to write")
     words.add_argument(
         "--unit",
         metavar="UNIT",
-        help="what 1 in the file stands for, such as mm or inch. OBJ, PLY and STL files hold no unit: m without this",
+        help="what 1 in the file stands for, such as mm or inch. OBJ, PLY, STL and COMPAS hold no unit: m",
     )
     words.add_argument("--tolerance", default="0.1 mm", metavar="LENGTH", help="gaps and overlaps up to it are mended")
     words.add_argument("--thickness", metavar="LENGTH", help="of a plane .tess file, along y")
     words.add_argument("--facet", metavar="LENGTH", help="how far flat facets may be off curved faces")
-    words.add_argument("--group", action="append", default=[], metavar="PATTERN=GROUP", help="'brick*=units', by name")
+    words.add_argument(
+        "--group", action="append", default=[], metavar="PATTERN=GROUP", dest="groups", help="'brick*=units', by name"
+    )
     words.add_argument("--section", metavar="AREA", help="force over this area is the reported stress")
     words.add_argument("--open-gaps", action="store_true", help="leave gaps larger than the tolerance as they are")
     words.add_argument("--up", default="z", metavar="AXIS", help="x, y or z: the axis of the file that points up")

@@ -87,7 +87,9 @@ def _require_own_names(blocks: Blocks, names: Sequence[str]) -> None:
 
 
 def _arrays(block: Any, b: int) -> tuple[Any, Any]:
-    """Vertices and faces of a pair, a mesh of trimesh, or one of COMPAS."""
+    """Vertices and faces of a pair, a mesh of trimesh, or a mesh or an element of a model of COMPAS."""
+    if hasattr(block, "modelgeometry"):
+        block = block.modelgeometry
     if hasattr(block, "to_vertices_and_faces"):
         block = block.to_vertices_and_faces()
     elif hasattr(block, "vertices") and hasattr(block, "faces"):

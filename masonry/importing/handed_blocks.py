@@ -25,7 +25,13 @@ def with_packed_blocks(tables: Any) -> Any:
     if not isinstance(tables, Mapping) or "specimen" not in tables:
         return tables
     specimen = tables["specimen"]
-    if isinstance(specimen, Specimen | Blocks) or (isinstance(specimen, Sequence) and not isinstance(specimen, str)):
+    is_list = isinstance(specimen, Sequence) and not isinstance(specimen, str)
+    if (
+        is_list
+        or isinstance(specimen, Specimen | Blocks)
+        or hasattr(specimen, "elements")
+        or hasattr(specimen, "blocks")
+    ):
         specimen = {BODIES: specimen}
     if not isinstance(specimen, Mapping) or BODIES not in specimen:
         return tables
@@ -55,6 +61,9 @@ def _specimen(bodies: Any, words: Mapping[str, Any]) -> Specimen:
     if isinstance(bodies, Blocks):
         require_sound(bodies)
         return Specimen(bodies, sets_of(bodies, [""] * bodies.count), section_of(bodies, None), "file")
+    for members in ("elements", "blocks"):  # of a BlockModel and of an Assembly of COMPAS
+        if callable(getattr(bodies, members, None)):
+            bodies = list(getattr(bodies, members)())
     if not isinstance(bodies, Sequence | np.ndarray) or isinstance(bodies, str):
         raise SceneError(
             f"specimen.blocks = {bodies!r:.60}: give a list of bodies, each a pair of vertices and faces or a mesh, or "

@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import GeometryError, Imported, JointPolygons, Joints, Specimen
+from geometry.blocks import GeometryError, Imported, JointPolygons, Specimen
 from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
+from geometry.files.blocks_text import text_of_blocks
 from geometry.files.sandbox import guarded
 from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.gaps import ALMOST, Unmended
@@ -26,6 +27,7 @@ from masonry.errors import SceneError, nearest
 from masonry.importing.data_sets import data_path
 from masonry.importing.hints import ways_out, with_ways_out
 from masonry.importing.named_sets import SECTIONS, section_of, section_words, sets_of
+from masonry.importing.report import ImportReport
 from masonry.importing.scene_file import Written, scene_text
 
 SURFACES = ("geometry.files.surfaces.reader", "read_surfaces")
@@ -33,7 +35,7 @@ READERS = {
     **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep"), ("geometry.files.cad", "read_cad")),
     ".tess": ("geometry.files.tess", "read_tess"),
     **dict.fromkeys((".msh", ".vtu"), ("geometry.files.mesh_files", "read_mesh")),
-    **dict.fromkeys((".obj", ".ply", ".stl"), SURFACES),
+    **dict.fromkeys((".obj", ".ply", ".stl", ".json"), SURFACES),
 }
 TOLERANCE = 1e-4  # m
 FLAT = 1.0, 0.1, 0.0  # of the tolerance, within which faces of a surface count as flat
@@ -64,21 +66,9 @@ class ImportSettings:
     angle: float = ANGLE
 
 
-@dataclass(frozen=True)
-class ImportReport:
-    """What was imported: the specimen, its joints, what was mended, sentences of the reader, what the section is."""
-
-    specimen: Specimen
-    joints: Joints
-    mended: Mended | None
-    names: tuple[str, ...]
-    notes: tuple[str, ...]
-    paths: tuple[Path, Path]
-    section_is: str
-
-
-def import_file(source: Path, out: Path, wishes: ImportSettings, overwrite: bool = False) -> ImportReport:
-    """Read source, mend it, and write the scene `out` with its blocks beside it.
+def import_file(source: Path, out: Path | None, wishes: ImportSettings, overwrite: bool = False) -> ImportReport:
+    """Read source, mend it, and make a scene of it: in the file `out`, with its blocks beside it; without `out` nothing
+    is written, and the blocks stand in the scene.
 
     Raises SceneError or GeometryError with one message; then nothing is written.
     """
@@ -86,13 +76,34 @@ def import_file(source: Path, out: Path, wishes: ImportSettings, overwrite: bool
     reader = SURFACES if source.is_dir() else READERS.get(source.suffix.lower())
     if reader is None:
         raise SceneError(f"'{source}': {source.suffix or 'a file without suffix'} is not read; {nearest('', READERS)}")
-    target = out.parent / (out.name.removesuffix(".toml") + SUFFIX)
-    _require_free(source, out, target, overwrite)
+    target = None if out is None else out.parent / (out.name.removesuffix(".toml") + SUFFIX)
+    if out is not None and target is not None:
+        _require_free(source, out, target, overwrite)
     read = Reading(source, reader)
     try:
         solids, names, mended, stated = joined_up(read, wishes)
     except (Unmended, Overlapping) as error:
         raise with_ways_out(error, ways_out(partial(joined_up, read), wishes, error)) from None
+    specimen = _specimen(source, solids, mended, stated, wishes)
+    blocks = specimen.blocks
+    joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
+    words, is_dry = section_words(blocks, wishes.section), reader == SURFACES
+    content = "" if target is not None else text_of_blocks(specimen, solids.mesh)
+    file = "" if target is None else target.name
+    text = scene_text(specimen, joints, Written(_readable(source.name), file, words, is_dry, content))
+    if out is not None and target is not None:
+        with whole_file(out) as place:
+            place.write_text(text, encoding="utf-8")
+            save_blocks(target, specimen, solids.mesh)
+    notes = (*solids.notes, *_lone(blocks))
+    paths = (out, target) if out is not None and target is not None else ()
+    return ImportReport(specimen, joints, mended, names, notes, paths, words, _readable(source.stem), text)
+
+
+def _specimen(
+    source: Path, solids: Imported, mended: Mended | None, stated: JointPolygons | None, wishes: ImportSettings
+) -> Specimen:
+    """Sound blocks with their sets and a section that a scene allows."""
     blocks = mended.blocks if mended else solids.blocks
     require_sound(blocks)
     section = section_of(blocks, wishes.section)
@@ -102,17 +113,7 @@ def import_file(source: Path, out: Path, wishes: ImportSettings, overwrite: bool
             f"{SECTIONS[0]:g} to {SECTIONS[1]:g} m^2; say by --unit which length 1 in the file means"
         )
     sets = sets_of(blocks, solids.names, wishes.gap or 0.0)
-    left = mended.deepest if mended else 0.0
-    specimen = Specimen(blocks, sets, section, "file", joints=stated, overlap=left)
-    joints = find_joints(blocks) if stated is None else stated_joints(stated, Density())
-    how = Written(_readable(source.name), target.name, section_words(blocks, wishes.section), reader == SURFACES)
-    text = scene_text(specimen, joints, how)
-    with whole_file(out) as place:
-        place.write_text(text, encoding="utf-8")
-        save_blocks(target, specimen, solids.mesh)
-    notes = (*solids.notes, *_lone(blocks))
-    words = section_words(blocks, wishes.section)
-    return ImportReport(specimen, joints, mended, names, notes, (out, target), words)
+    return Specimen(blocks, sets, section, "file", joints=stated, overlap=mended.deepest if mended else 0.0)
 
 
 def _lone(blocks) -> list[str]:
@@ -173,7 +174,7 @@ def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: ImportSett
         words["thickness"] = wishes.thickness
     if wishes.holes is not None:
         if reader != SURFACES:
-            raise SceneError(f"--holes: only surfaces (.obj, .ply, .stl) may have holes, not '{source}'")
+            raise SceneError(f"--holes: only surfaces (.obj, .ply, .stl, .json) may have holes, not '{source}'")
         words["holes"] = wishes.holes
     return words
 

@@ -1,11 +1,46 @@
-"""What `masonry import` found and did, as rows of a table."""
+"""What `masonry import` found and did: data, rows of a table, and the scene that came of it."""
+
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from geometry.blocks import JointPolygons
+from geometry.blocks import JointPolygons, Joints, Specimen
 from geometry.joints.gaps import LISTED, Facing, described
+from geometry.joints.heal import Mended
 from geometry.polyhedra.measures import bounds, volumes
-from masonry.importing.importing import ImportReport
+from masonry.runtime.tables import aligned
+
+if TYPE_CHECKING:
+    from masonry.scene import Scene
+
+
+@dataclass(frozen=True, repr=False)
+class ImportReport:
+    """What was imported: the specimen, its joints, what was mended, sentences of the reader, the files that were
+    written, what the section is, name and text of the scene. It prints as `masonry import` does."""
+
+    specimen: Specimen
+    joints: Joints
+    mended: Mended | None
+    names: tuple[str, ...]
+    notes: tuple[str, ...]
+    paths: tuple[Path, ...]
+    section_is: str
+    name: str
+    scene_text: str
+
+    @property
+    def scene(self) -> "Scene":
+        """The scene on these blocks, with its placeholders."""
+        from masonry.scene import load
+
+        return load(self.paths[0] if self.paths else {"name": self.name, **tomllib.loads(self.scene_text)})
+
+    def __repr__(self) -> str:
+        return aligned(report_text(self))
 
 
 def report_text(report: ImportReport) -> list[tuple[str, list[str]]]:
@@ -30,8 +65,8 @@ def report_text(report: ImportReport) -> list[tuple[str, list[str]]]:
         table += _mended_rows(report)
     if report.specimen.joints is not None:
         table.append(("bridged", _bridged(report.specimen.joints)))
-    table += [("notes", list(report.notes) or ["none"]), ("written", [str(path) for path in report.paths])]
-    return table
+    table.append(("notes", list(report.notes) or ["none"]))
+    return [*table, ("written", [str(path) for path in report.paths])] if report.paths else table
 
 
 def _alone(report: ImportReport) -> list[str]:

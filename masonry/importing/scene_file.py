@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from geometry.blocks import Joints, Specimen
+from geometry.files.surfaces.compas_json import SUPPORT
 from masonry.model.contact_groups import contact_group_name, contact_groups
 from masonry.scene.schema import INVENTED
 
@@ -61,12 +62,13 @@ steps = 20000
 @dataclass(frozen=True)
 class Written:
     """What a scene says of its making: names of the source and of the file of blocks, where the section is from, and
-    whether the joints are dry and weight is the only load."""
+    whether the joints are dry and weight is the only load; the blocks as text, where no file has them."""
 
     source: str
     blocks_file: str
     section_is: str
     is_dry: bool = False
+    content: str = ""
 
 
 def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
@@ -78,9 +80,11 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
     spans = np.intersect1d(specimen.sets["bottom"], specimen.sets["top"])
     has_weight = how.is_dry or len(spans) > 0
     loading = DRY_WEIGHT if how.is_dry else WEIGHT if has_weight else PRESS
+    if SUPPORT in specimen.sets:
+        loading = loading.replace('on = "bottom"', f'on = "{SUPPORT}"', 1)
     invented = [f"material.{group}" for group in specimen.blocks.groups]
     invented += [f"contact.{name}" for name in contacts]
-    invented += ["law", "support", "gravity" if has_weight else "drive"]
+    invented += ["law", *["support"] * (SUPPORT not in specimen.sets), "gravity" if has_weight else "drive"]
     lines = [
         f"title = {_quoted(how.source)}",
         'law = "friction"                  # dry joints' if how.is_dry else 'law = "exponential"',
@@ -88,7 +92,7 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
         "",
         "[specimen]",
         'kind = "file"',
-        f"path = {_quoted(how.blocks_file)}",
+        f"content = '{how.content}'" if how.content else f"path = {_quoted(how.blocks_file)}",
         *(['contact_points = "vertex"         # at the edges of the joints, about which blocks turn'] * how.is_dry),
         f'section = "{specimen.section:.12g} m^2"   # the force at the drive over this area is the reported stress',
         "",
@@ -103,7 +107,7 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
     if specimen.joints is not None:
         widest = specimen.joints.gap.max(initial=0.0) * 1e3
         words = f"joints bridge gaps of up to {widest:.3g} mm, half way between blocks that only nearly meet"
-        lines.append(f'"specimen.path" = {_quoted(words)}')
+        lines.append(f'"specimen.{"content" if how.content else "path"}" = {_quoted(words)}')
     if how.section_is != ASKED:
         lines.append(f'"specimen.section" = {_quoted(f"the import took {how.section_is}")}')
     return "\n".join(lines) + "\n"

@@ -1,4 +1,4 @@
-"""Blocks from closed surfaces: an OBJ, PLY or STL file with one body or many, or a folder of such files.
+"""Blocks from closed surfaces: an OBJ, PLY, STL or COMPAS file with one body or many, or a folder of such files.
 
 A reader of other people's files: call read_surfaces by `geometry.files.sandbox.guarded`.
 """
@@ -13,6 +13,7 @@ from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
 from geometry.files.surfaces.bodies import bodies_of
 from geometry.files.surfaces.closing import Changes
+from geometry.files.surfaces.compas_json import read_compas
 from geometry.files.surfaces.obj import read_obj
 from geometry.files.surfaces.surface import Surface
 from geometry.specimens.from_arrays import from_mesh
@@ -65,7 +66,7 @@ def _surfaces(path: Path) -> list[tuple[str, str, Surface]]:
     """What a message calls each surface of a file or a folder, its own name, and the surface."""
     in_folder, listed = path.is_dir(), []
     for file in files_of(path):
-        surfaces = read_obj(file) if file.suffix.lower() == ".obj" else _by_trimesh(file)
+        surfaces = READERS.get(file.suffix.lower(), _by_trimesh)(file)
         if not surfaces:
             raise GeometryError(f"'{file.name}' holds no faces")
         if sum(len(surface.faces) for surface in surfaces) > MOST_FACES:
@@ -133,6 +134,10 @@ def _by_trimesh(file: Path) -> list[Surface]:
         if len(faces):
             surfaces.append(Surface(name if len(meshes) > 1 else "", points, list(faces)))
     return surfaces
+
+
+READERS = {".obj": read_obj, ".json": read_compas}
+"""By suffix; trimesh reads all others."""
 
 
 def _notes(changes: Changes, unit: float) -> list[str]:
