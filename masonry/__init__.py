@@ -365,6 +365,7 @@ def import_blocks(
 
     >>> dome = masonry.import_blocks("dome.obj", gap="5 mm")  # ships with the program
     >>> dome.specimen.blocks.count, len(dome.joints.patch_start) - 1
+    (90, 250)
     """
     from masonry.importing.import_words import settings_of
     from masonry.importing.importing import import_file
