@@ -1,9 +1,11 @@
 """Runs the blocks of a page as a reader would: in order, in one empty folder, Python in one namespace."""
 
+import io
 import json
 import re
 import shlex
 import tomllib
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +15,15 @@ from masonry.scene import load
 from masonry.sweeps.planned_runs import plan
 from masonry.sweeps.read import read
 from tests.docs.pages import RUN, Block
+from tests.docs.printed import not_printed
 
 ELSEWHERE = ("make", "pip", "git", "cd", "dask", "apt-get", "jupyter", "python", ".venv/bin/python", ".venv/bin/pip")
 """What a line of a shell may begin with besides `masonry`; such lines are not run."""
 MASONRY = ("masonry", ".venv/bin/masonry")
 VARIABLE = re.compile(r"[A-Z_]+=")
 """What may stand before: a variable that is set for the line."""
+PRINTS = ("python", "bash", "console")
+"""Languages of blocks that print something."""
 SHELL = ("|", "||", "&", "&&", ";", ">", ">>", "<")
 
 
@@ -34,10 +39,18 @@ class Reader:
 
     def read(self, slow: bool) -> None:
         """Run every block; those that are slow only where asked for, else they are looked at."""
+        output: str | None = None
         for block in self.blocks:
             if block.language in RUN:
                 run = not block.why_not and (slow or not block.slow)
-                getattr(self, block.language)(block, self.where(block), run)
+                with redirect_stdout(io.StringIO()) as printed:
+                    getattr(self, block.language)(block, self.where(block), run)
+                output = printed.getvalue() if run and block.language in PRINTS else None
+                print(printed.getvalue(), end="")
+            elif block.language == "text" and output is not None and not block.why_not:
+                missing = not_printed(block.text, output)
+                assert not missing, f"{self.where(block)}: what runs before does not print {missing}"
+                output = None
 
     def where(self, block: Block) -> str:
         """The place of a block, for messages."""

@@ -66,6 +66,8 @@ def test_python_goes_on_with_the_names_of_the_block_before():
         '```toml\nbase = "couplet"\nlaw = "cubic"\n```\n',
         '```toml\nscene = "couplet"\n[grid]\nlaw = ["cubic"]\n```\n',
         "```json\n{1: 2}\n```\n",
+        "```python\nprint('load 1.5 kN')\n```\n```text\nload 1.6 kN\n```\n",
+        "```bash\nmasonry law\n```\nprints\n```text\nexponental\n```\n",
         "<!-- slow -->\n```bash\nmasonry run couplet --treads 2\n```\n",
         "<!-- not run: it takes a cluster -->\n```bash\nmasonry sweep\n```\n",
     ],
@@ -73,6 +75,12 @@ def test_python_goes_on_with_the_names_of_the_block_before():
 def test_what_is_wrong_in_a_block_is_found(wrong):
     with pytest.raises((AssertionError, SyntaxError, SystemExit, SceneError)):
         says(wrong)
+
+
+def test_text_after_a_block_is_what_it_prints_but_for_rounding_and_times():
+    says("```python\nprint('load 1.5001 kN in 0.3 s')\n```\nshows\n```text\n...\nload 1.5 kN in 2.1 s\n```\n")
+    says("```python\nprint('gap 1e-15')\n```\n```text\ngap 3e-14\n```\n")
+    says("```python\n1\n```\n<!-- not run: another scene -->\n```text\nload 2 kN\n```\n")
 
 
 def test_a_file_that_a_block_names_is_there_for_the_commands():
