@@ -4,8 +4,8 @@ A block may have a word for the tests on the line before it, which no reader see
 <!-- slow -->           run by `pytest -m slow` only
 <!-- exit 2 -->         the commands end with this exit code
 <!-- not run: why -->   looked at, but not run
-The first block of text after one that runs is what that prints, or a part of it (`tests/docs/printed.py`), unless a word says
-that it is not.
+The first block of text after one that runs is what that prints, or a part of it (`tests/docs/printed.py`), unless a
+word says that it is not.
 """
 
 import re
