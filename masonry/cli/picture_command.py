@@ -26,7 +26,9 @@ def parser() -> Parser:
     words.add_argument(
         "--view",
         choices=VIEWS,
-        help="default front, or side where it falls that way; of a scene: front or iso, by where its drive moves",
+        help="front: its two largest extents, a wall along y; back: the same from behind; side: along the other level "
+        "axis, a wall along x; iso: from the front, the right and above. Default: front, or side where it falls that "
+        "way. Of a scene front and iso alone, by default the one that shows its drive",
     )
     add_format(words)
     results = words.add_argument_group("of a folder of results")
