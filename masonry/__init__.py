@@ -132,6 +132,24 @@ def run(
         return run_scene(scene, threads, tell)
 
 
+def report(result: "Result | str | Path", path: "str | Path", *, overwrite: bool = False) -> "Path":
+    """Write a result, or a folder of results, as one page of HTML with its pictures in it; returns its path.
+
+    overwrite  replace a file that the program did not write
+    Raises SceneError for another suffix, for what is no result, and where another's file stands there.
+
+    >>> page = masonry.report(masonry.run("couplet"), "couplet.html")
+    >>> page.read_text()[:15]
+    '<!DOCTYPE html>'
+    """
+    from masonry.laboratory import arguments
+    from masonry.laboratory.result import Result
+    from masonry.reporting.run_report import write_report
+
+    shown = result if isinstance(result, Result) else load_result(result)
+    return write_report(shown, arguments.path("path", path), arguments.flag("overwrite", overwrite))
+
+
 def limit(
     scene: "SceneLike",
     *,

@@ -57,6 +57,7 @@ FLOORS = (
         "masonry.laboratory.summary",
         "masonry.laboratory.remarks",
         "masonry.laboratory",
+        "masonry.reporting",
         "masonry.sweeps",
         "masonry.comparison",
         "masonry",

@@ -37,6 +37,7 @@ from masonry.runtime.shell import (
 APART = {
     "picture": ("masonry.cli.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
     "movie": ("masonry.cli.movie_command", "make a movie of a folder of results: cracks beside the curve"),
+    "report": ("masonry.reporting.report_command", "write a folder of results as one page, for others to read"),
     "spectrum": ("masonry.cli.spectrum_command", "response spectra of the ground and of gauges of a folder of results"),
     "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
     "modes": ("masonry.cli.modes_command", "frequencies, shapes and effective masses of a scene"),

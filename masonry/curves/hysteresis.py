@@ -138,7 +138,7 @@ def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:
         axes.bar(number, height, bottom=base, color=colour)
         base += height
     for k, cycle in enumerate(cycles[:NAMED]):
-        words = f"{cycle.get('dissipated_j') or 0.0:.3g}" + ("" if cycle.get("closed") else "\nnot closed")
+        words = f"{cycle.get('dissipated_j') or 0.0:.4g}" + ("" if cycle.get("closed") else "\nnot closed")
         axes.annotate(words, (number[k], base[k]), xytext=(0, 3), textcoords="offset points", ha="center", fontsize=9)
     axes.set_ylim(0.0, ROOM * float(base.max()) or 1.0)
     axes.set_xlim(0.5, len(cycles) + 0.5)

@@ -30,7 +30,7 @@ RESULT_NAMES = (
 WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
     *(f"{picture}.{form}" for picture in ("curve", "cracks", "mechanism", "thrust", "modes") for form in FORMATS),
-    "checkpoint",
+    *("checkpoint", "report.html"),
     *("sweep.csv", "sweep.parquet", "sweep.png", "sweep-map.png", "sensitivity.csv", "sensitivity.png"),
 }
 """What commands write into a folder of results besides."""

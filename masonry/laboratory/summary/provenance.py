@@ -19,7 +19,7 @@ from masonry.runtime.processors import compiled_for
 
 SHOWING = (
     *("masonry/__main__.py", "masonry/cli/*", "masonry/sweeps/*", "masonry/comparison/*", "masonry/importing/*"),
-    *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*"),
+    *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*", "masonry/reporting/*"),
     *("masonry/statics/*", "masonry/limit_analysis/*"),
 )
 """Sources that a result does not depend on: an edit of these runs nothing again."""

@@ -1,0 +1,1 @@
+"""A run on one page that a client can be given: `masonry report`."""

@@ -1,0 +1,131 @@
+"""What the page of a run says: specimen, curve, cracks, results, verdict, doubts, assumptions, and what was put in."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from geometry.blocks import GeometryError
+from geometry.files.atomic import whole_file
+from masonry.errors import SceneError
+from masonry.judgement.catalogue import criteria
+from masonry.laboratory.result import Result
+from masonry.laboratory.text import summary_rows
+from masonry.pictures.style import write_picture
+from masonry.reporting.report_page import Picture, ReportPage, page_text
+from masonry.runtime.named_file import require_free
+from masonry.runtime.tables import Rows
+
+LARGEST = 3_000_000
+"""Bytes of a picture of lines and letters; a larger one becomes one of points."""
+SAID_APART = ("trust", "advice", "time")
+"""Rows of the summary that the page has elsewhere, or not at all."""
+POWERS = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
+PREFIXED = ("Pa", "N", "Pa/m", "N/m", "J", "m")
+"""Units that take a letter for a power of a thousand."""
+
+
+def write_report(result: Result, path: Path, overwrite: bool = False) -> Path:
+    """Write the page of a result (.html), whole or not at all, with its pictures in it; returns the path.
+
+    The same result gives the same bytes. Raises SceneError for another suffix, and where a file stands there that we
+    did not write (unless `overwrite`); GeometryError where it cannot be written.
+    """
+    path = Path(path)
+    if path.suffix != ".html":
+        raise SceneError(f"'{path}': a report is a .html file; nearest: '{path.stem or 'report'}.html'")
+    require_free(path, overwrite)
+    text = page_text(report_page(result))
+    with whole_file(path) as beside:
+        beside.write_text(text, encoding="utf-8", newline="\n")
+    return path
+
+
+def report_page(result: Result) -> ReportPage:
+    """All that the page says."""
+    summary, table = result.summary, result.scene_table
+    assumptions = table.get("assumptions", {})
+    return ReportPage(
+        title=result.title,
+        made=f"scene {summary.scene or 'without a name'}, {result.specimen.blocks.count} blocks, "
+        f"{len(result.joints.area)} contact points; masonry-dem {summary.version or ''}, {summary.source_hash or ''}",
+        verdict=result.verdict,
+        trust=result.trust,
+        pictures=[picture for one in PICTURES if (picture := one.of(result)) is not None],
+        results=[(word, lines) for word, lines in summary_rows(summary) if word not in SAID_APART],
+        doubts=[(doubt.sentence, doubt.advice) for doubt in result.doubts],
+        criteria=len(criteria()),
+        assumptions=[(str(key), [str(value)]) for key, value in assumptions.items()],
+        put_in=values_of(result),
+        scene=result.scene_toml,
+    )
+
+
+class _Part(NamedTuple):
+    """A picture of the page: its caption, and what draws it."""
+
+    caption: str
+    figure: Callable[[Result], Any]
+
+    def of(self, result: Result) -> Picture | None:
+        """The picture; None where there is nothing to draw it from any more."""
+        try:
+            figure = self.figure(result)
+        except (SceneError, GeometryError):
+            return None
+        form, content = picture_bytes(figure)
+        return Picture(self.caption, form, content)
+
+
+def _specimen(result: Result) -> Any:
+    from masonry.drawings.geometry_picture import geometry_figure
+    from masonry.scene import load
+
+    return geometry_figure(load(result.scene_table), result.specimen, result.joints)
+
+
+PICTURES = (
+    _Part("The specimen, its supports and loads", _specimen),
+    _Part("The specimen as it deforms, with its cracks", lambda result: result.picture()),
+    _Part("What it bore as it moved, and where the energy went", lambda result: result.plot()),
+)
+
+
+def picture_bytes(figure: Any) -> tuple[str, bytes]:
+    """The kind of a file, and its bytes: lines and letters, or points where that would be too large."""
+    from tempfile import TemporaryDirectory
+
+    with TemporaryDirectory() as folder:
+        for form in ("svg", "png"):
+            path = Path(folder) / f"picture.{form}"
+            write_picture(figure, path)
+            if form == "png" or path.stat().st_size <= LARGEST:
+                break
+        return form, path.read_bytes()
+
+
+def values_of(result: Result) -> Rows:
+    """The numbers of joints and materials, by group; of groups that occur."""
+    rows: Rows = []
+    contacts = {result.joint_groups[g] for g in set(result.joint_group.tolist())}
+    for name, occur in (("contact", contacts), ("material", set(result.specimen.blocks.groups))):
+        groups = result.scene_table.get(name, {})
+        for group, values in groups.items() if isinstance(groups, dict) else ():
+            if isinstance(values, dict) and group in {*occur, "default"}:
+                words = [f"{key.replace('_', ' ')} {readable(value)}" for key, value in values.items()]
+                rows.append((f"{name} {group}", [", ".join(words)]))
+    return rows
+
+
+def readable(value: Any) -> str:
+    """A value of a scene with a prefix to its unit: `600000.0 Pa` is 0.6 MPa."""
+    if isinstance(value, dict):
+        return " and ".join(f"{readable(number)} at {readable(place)}" for place, number in value.items())
+    number, _, unit = str(value).partition(" ")
+    try:
+        size = float(number)
+    except ValueError:
+        return str(value)
+    if unit not in PREFIXED:
+        return f"{size:.6g} {unit}".strip()
+    factor, letter = next((power for power in POWERS if abs(size) >= 0.1 * power[0]), POWERS[-1 if size else 3])
+    return f"{size / factor:.6g} {letter}{unit}"
