@@ -133,20 +133,13 @@ def run(
 
 
 def report(result: "Result | str | Path", path: "str | Path", *, overwrite: bool = False) -> "Path":
-    """Write a result, or a folder of results, as one page of HTML with its pictures in it; returns its path.
-
-    overwrite  replace a file that the program did not write
-    Raises SceneError for another suffix, for what is no result, and where another's file stands there.
-
-    >>> page = masonry.report(masonry.run("couplet"), "couplet.html")
-    >>> page.read_text()[:15]
-    '<!DOCTYPE html>'
-    """
+    """Write a result, or a folder of results, as one page (.html) for others; overwrite: a file that is not ours too.
+    Raises SceneError for another suffix, for what is no result, and where such a file stands."""
     from masonry.laboratory import arguments
-    from masonry.laboratory.result import Result
+    from masonry.laboratory import result as results
     from masonry.reporting.run_report import write_report
 
-    shown = result if isinstance(result, Result) else load_result(result)
+    shown = result if isinstance(result, results.Result) else load_result(result)
     return write_report(shown, arguments.path("path", path), arguments.flag("overwrite", overwrite))
 
 
