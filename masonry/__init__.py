@@ -135,12 +135,9 @@ def run(
 def report(result: "Result | str | Path", path: "str | Path", *, overwrite: bool = False) -> "Path":
     """Write a result, or a folder of results, as one page (.html) for others; overwrite: a file that is not ours too.
     Raises SceneError for another suffix, for what is no result, and where such a file stands."""
-    from masonry.laboratory import arguments
-    from masonry.laboratory import result as results
-    from masonry.reporting.run_report import write_report
+    from masonry.reporting.run_report import report_of
 
-    shown = result if isinstance(result, results.Result) else load_result(result)
-    return write_report(shown, arguments.path("path", path), arguments.flag("overwrite", overwrite))
+    return report_of(result, path, overwrite)
 
 
 def limit(

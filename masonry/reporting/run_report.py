@@ -8,7 +8,8 @@ from geometry.blocks import GeometryError
 from geometry.files.atomic import whole_file
 from masonry.errors import SceneError
 from masonry.judgement.catalogue import criteria
-from masonry.laboratory.result import Result
+from masonry.laboratory import arguments
+from masonry.laboratory.result import Result, load_result
 from masonry.laboratory.text import summary_rows
 from masonry.pictures.style import write_picture
 from masonry.reporting.report_page import Picture, ReportPage, page_text
@@ -38,6 +39,12 @@ def write_report(result: Result, path: Path, overwrite: bool = False) -> Path:
     with whole_file(path) as beside:
         beside.write_text(text, encoding="utf-8", newline="\n")
     return path
+
+
+def report_of(result: Result | str | Path, path: str | Path, overwrite: bool) -> Path:
+    """The same of what a user hands over: a result, or a folder of results. Raises SceneError."""
+    shown = result if isinstance(result, Result) else load_result(arguments.path("folder", result))
+    return write_report(shown, arguments.path("path", path), arguments.flag("overwrite", overwrite))
 
 
 def report_page(result: Result) -> ReportPage:
