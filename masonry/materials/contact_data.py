@@ -11,7 +11,8 @@ from masonry.materials.triplets import read_triplets
 from masonry.quantity import convert
 
 KINEMATICS = ("rigid", "affine", "tets")
-LAWS = ("exponential", "linear", "brittle", "friction", "elastic")
+SOFTENING = ("exponential", "linear", "brittle")
+LAWS = (*SOFTENING, "friction", "elastic")
 MEAN, CHARACTERISTIC = "mean", "characteristic"
 THIN, DRY = "thin-layer", "none"
 
@@ -133,14 +134,18 @@ class ContactData:
         return f"--{key.replace('_', '-')}" if self.dashes else key
 
     @property
+    def is_dry(self) -> bool:
+        """Whether joints have no mortar."""
+        return self.mortar is not None and self.mortar.is_dry
+
+    @property
     def deforms(self) -> bool:
         """Whether units are not rigid."""
         return self.kinematics not in (None, KINEMATICS[0])
 
     @property
     def joint_law(self) -> str:
-        dry = self.mortar is not None and self.mortar.is_dry
-        return self.law or ("friction" if dry else LAWS[0])
+        return self.law or ("friction" if self.is_dry else LAWS[0])
 
     def _read(self, key: str, value: Any) -> Any:
         where, kind = self.name(key), KEYS[key]

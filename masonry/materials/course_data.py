@@ -78,7 +78,7 @@ def course_data(data: ContactData) -> CourseData:
 
 def _heights(data: ContactData) -> tuple[float, float]:
     """Of a unit and of a joint, m."""
-    dry = data.mortar is not None and data.mortar.is_dry
+    dry = data.is_dry
     if dry and data.joint is not None:
         raise SceneError(f"{data.name('joint')}: {data.name('mortar')} none is a dry joint, which has no thickness")
     if data.unit_height is None:
@@ -139,9 +139,10 @@ def _notes(
     unit = data.unit_modulus
     if stiffness.is_bounded:
         has = stiffness.modulus(course, divisions, deforms) / GPA
+        why = "a dry joint adds nothing to units that deform" if data.is_dry else "mortar is as stiff as the units"
         notes.append(
-            f"masonry of {course.modulus / GPA:.4g} GPa leaves nothing for a joint between such units: mortar is as "
-            f"stiff as they are. The joint is 10 times as stiff as a course of units, and a stack has {has:.4g} GPa"
+            f"masonry of {course.modulus / GPA:.4g} GPa leaves nothing for a joint: {why}. The joint is 10 times as "
+            f"stiff as a course of units, and a stack has {has:.4g} GPa"
         )
     elif unit is not None and stiffness.bed > 2.0 * STIFF_JOINT * unit / course.height:
         notes.append(

@@ -105,7 +105,7 @@ def _friction(data: ContactData, line: ShearLine | None) -> Strength | None:
         return _of_line(line.tan, line.tan_error, line)
     if data.friction is not None:
         return _given(data, "friction", SHEAR, "shear tests (EN 1052-3)")
-    if data.mortar is not None and data.mortar.is_dry:
+    if data.is_dry:
         return None
     share = CodeStrength(eurocode_6.FRICTION, f"{eurocode_6.CODE}, eq. (3.5): 0.4 sigma_d")
     return of_code(share, SHEAR, 1.6)

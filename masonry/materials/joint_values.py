@@ -61,6 +61,8 @@ def joint_numbers(data: ContactData) -> JointNumbers:
     values = _stiffness(course)
     notes = list(course.notes)
     law = data.joint_law
+    if law == "elastic" and data.crushing is not None:
+        raise SceneError(f"{data.name('crushing')} {data.crushing}: law elastic has no strength; choose another law")
     if law != "elastic":
         strengths = joint_strengths(data)
         values += _strengths(data, strengths, notes) if law != "friction" else [_dry_friction(data, strengths)]
@@ -146,7 +148,7 @@ def _strengths(data: ContactData, strengths: JointStrengths, notes: list[str]) -
 
 def _no_cohesion(data: ContactData) -> str:
     """What is missing for a cohesion, in a sentence."""
-    if data.mortar is not None and data.mortar.is_dry:
+    if data.is_dry:
         return (
             f"{data.name('law')} {data.joint_law}: a dry joint has friction alone; leave the law out, or name friction"
         )
@@ -247,7 +249,7 @@ def _compression(
 
 
 def _annex(values: list[JointValue]) -> list[str]:
-    if not any(eurocode_6.CODE in value.source for value in values):
+    if not any(eurocode_6.CODE in value.source for value in values if value.key != "shear_stiffness"):
         return []
     return [
         f"numbers of {eurocode_6.CODE} are its recommended ones: a national annex may have others, and tests often "

@@ -10,6 +10,8 @@ MPA = 1e6
 RECOMMENDED = "recommended where not measured, Angelillo, Lourenco, Milani (2014)"
 TESTED_TENSION = (0.3e6, 0.9e6)
 """Pa: bond strengths of the joints from which the energy of mode I is."""
+LEAST_MODE_2 = 10.0
+"""N/m: the least energy of mode II among those tests."""
 
 
 class PublishedRule(NamedTuple):
@@ -32,15 +34,16 @@ def direct_tension(flexural: float) -> PublishedRule:
 
 def mode_1_energy(tensile_strength: float) -> PublishedRule:
     """Of opening, N/m. The ductility of the tests' weakest joint bounds the range of still weaker ones."""
-    low = 5.0 * min(tensile_strength / TESTED_TENSION[0], 1.0)
+    low = max(5.0 * min(tensile_strength / TESTED_TENSION[0], 1.0), 0.5)
     return PublishedRule(12.0, low, 20.0, f"0.012 N/mm, {RECOMMENDED}; tests of van der Pluijm have 0.005 to 0.02 N/mm")
 
 
 def mode_2_energy(cohesion: float) -> PublishedRule:
     """Of sliding without compression, N/m."""
-    value = 0.1e-3 * cohesion
-    source = f"0.1 mm x cohesion, {RECOMMENDED}; tests of van der Pluijm have 0.01 to 0.25 N/mm"
-    return PublishedRule(value, min(10.0, 0.5 * value), max(250.0 * cohesion / 1.8e6, 4.0 * value), source)
+    value = max(0.1e-3 * cohesion, LEAST_MODE_2)
+    least = ", at least 10 N/m" if value == LEAST_MODE_2 else ""
+    source = f"0.1 mm x cohesion{least}, {RECOMMENDED}; tests of van der Pluijm have 0.01 to 0.25 N/mm"
+    return PublishedRule(value, min(LEAST_MODE_2, 0.5 * value), max(250.0 * cohesion / 1.8e6, 4.0 * value), source)
 
 
 def mode_2_slope() -> PublishedRule:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from masonry.errors import SceneError
-from masonry.materials.contact_data import LAWS, ContactData
+from masonry.materials.contact_data import LAWS, SOFTENING, ContactData
 from masonry.scene import Scene
 
 FIT = 1e-3
@@ -24,7 +24,8 @@ def with_scene(known: Mapping[str, Any], scene: Scene, dashes: bool = False) -> 
         if getattr(data, key) not in (None, value):
             raise SceneError(f"{data.name(key)} {getattr(data, key)}: scene '{scene.name}' has {value}")
     group = scene.contact.get(data.contact or "unit_unit")
-    if group is not None and group.law in LAWS and not (data.mortar and data.mortar.is_dry):
+    bonds = any(getattr(data, key) is not None for key in ("mortar", "cohesion", "triplets"))
+    if group is not None and group.law in (LAWS if not bonds else SOFTENING) and not data.is_dry:
         of_scene["law"] = group.law
     material = scene.material.get("units")
     if material is not None and material.young_modulus is not None:
@@ -33,7 +34,9 @@ def with_scene(known: Mapping[str, Any], scene: Scene, dashes: bool = False) -> 
 
 
 def _divisions(scene: Scene, data: ContactData) -> int:
-    """Blocks in the height of a unit."""
+    """Blocks in the height of a unit; one where no contacts are within units."""
+    if "within_units" not in scene.contact:
+        return 1
     if getattr(scene.specimen, "cells", None) is not None:
         if data.divisions is None:
             raise SceneError(
@@ -52,9 +55,14 @@ def _heights(scene: Scene, data: ContactData) -> dict[str, str]:
         course = specimen.height
     elif hasattr(specimen, "unit_height"):
         course = specimen.unit_height + joint
+    elif data.unit_height is None:
+        raise SceneError(
+            f"{data.name('unit_height')}: missing; scene '{scene.name}' has no courses: give the size of a unit "
+            "across its joints"
+        )
     else:
         return {}
-    dry = data.mortar is not None and data.mortar.is_dry
+    dry = data.is_dry
     thickness = 0.0 if dry else data.joint or joint or course - (data.unit_height or course)
     unit = data.unit_height or course - thickness
     if abs(unit + thickness - course) > FIT * course:

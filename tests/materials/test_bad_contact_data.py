@@ -66,6 +66,7 @@ MODULI = {"unit_modulus": "16.7 GPa", "mortar_modulus": "2.9 GPa", **HEIGHTS}
         ({"basis": "mena"}, "did you mean 'mean'"),
         ({"crushing": "cap", "cohesion": "0.3 MPa"}, "needs the strength of masonry"),
         ({"crushing": "cap", "cohesion": "0.3 MPa", "masonry_strength": "60 MPa"}, "closing_at_peak: missing"),
+        ({"crushing": "cap", "law": "elastic"}, "law elastic has no strength"),
         ({"poisson": 0.6}, "looks wrong"),
         ({"mortar_stiffness": "3 GPa"}, "did you mean"),
         ({"unit_height": None}, "unit_height: missing"),
@@ -102,7 +103,7 @@ def test_wrong_data_are_one_sentence(change, message, tmp_path, monkeypatch):
         ("couplet", {"divisions": 2}, "scene 'couplet' has 1"),
         ("bending-0", {}, "are cells"),
         ("couplet-meso-coarse", {}, "mortar is made of blocks"),
-        ("arch", {"unit_height": None}, "unit_height: missing"),
+        ("arch", {"unit_height": None}, "scene 'arch' has no courses"),
     ],
 )
 def test_what_does_not_fit_the_scene_is_said(scene, change, message):

@@ -167,6 +167,31 @@ def test_the_stiffnesses_of_the_page_come_out(divisions, deforms, bed):
     assert joint.modulus(course, divisions, deforms) == pytest.approx(course.modulus, rel=1e-12)
 
 
+@pytest.mark.parametrize("law", ["exponential", "linear", "brittle"])
+def test_a_joint_without_cohesion_or_tension_is_a_table_that_runs(law):
+    table = masonry.contact("couplet", cohesion="0 MPa", friction=0.7, law=law, **MODULI)
+    result = masonry.run(masonry.load("couplet", {"confinement": "0.4 MPa"}).with_(table))
+    assert result.peak.stress == pytest.approx(0.7 * 0.4e6, rel=2e-3)
+    assert all(low > 0.0 or not key.endswith(("mode_1", "mode_2")) for key, (low, _) in table.ranges.items())
+
+
+def test_mortar_in_a_dry_scene_makes_joints_that_bond_and_a_dry_scene_stays_dry_without():
+    bonded = masonry.contact("wall-with-window", **CODE)
+    assert bonded.law == "exponential" and "cohesion" in bonded["contact.unit_unit"]
+    assert masonry.contact("wall-tilted", unit_modulus="20 GPa", mortar="none", friction=0.6).law == "friction"
+
+
+def test_a_scene_whose_default_table_serves_all_contacts_takes_the_table():
+    table = masonry.contact("rubble-pile", **CODE)
+    assert masonry.load("rubble-pile").with_(table).contact["unit_unit"].cohesion == 0.25e6
+
+
+def test_a_large_displacement_scene_with_a_table_bears_what_its_joint_bears():
+    scene = masonry.load("couplet-slid-off")
+    table = masonry.contact(scene, cohesion="0.1 MPa", friction=0.6, **MODULI)
+    assert laboratory.check(scene.with_(table))["warnings"] == laboratory.check(scene)["warnings"]
+
+
 def test_masonry_stiffer_than_its_divided_units_is_bounded():
     joint = joint_stiffness(MasonryCourse(0.1, 0.1 / 30e9, 10e9), 4)
     assert joint.is_bounded and joint.bed == pytest.approx(10 * 10e9 / 0.1)
