@@ -99,6 +99,64 @@ def test_without_patch_and_spread_an_axle_is_a_force_on_the_voussoir_below_it():
     assert masonry.limit(load(BRIDGE, changes)).factor == pytest.approx(own, rel=1e-4)
 
 
+OVERHANG = """
+law = "friction"
+[specimen]
+kind = "boxes"
+section = "1 m^2"
+[[specimen.box]]
+name = "foot"
+origin = ["0 m", "0 m", "0 m"]
+size = ["1 m", "1 m", "1 m"]
+[[specimen.box]]
+name = "slab"
+unit = 1
+origin = ["0 m", "0 m", "1 m"]
+size = ["1.4 m", "1 m", "0.3 m"]
+[material.units]
+density = "2000 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "30 GPa/m"
+shear_stiffness = "12 GPa/m"
+tan_friction_angle = 0.7
+[[support]]
+on = "foot"
+fix = "all"
+[gravity]
+z = "-10 m/s^2"
+[vehicle]
+on = "slab"
+level = "1.5 m"
+axles = ["1 kN"]
+patch = "0.1 m"
+[limit]
+pattern = "vehicle"
+"""
+
+
+def test_an_axle_tips_a_slab_that_hangs_over_where_its_patch_comes_to_the_edge(tmp_path):
+    """The slab weighs 8.4 kN, 0.3 m from the edge that it tips about; the patch ends with the slab 0.35 m beyond it."""
+    (tmp_path / "overhang.toml").write_text(OVERHANG)
+    result = masonry.limit(load(tmp_path / "overhang.toml"))
+    assert result.factor == pytest.approx(8.4 * 0.3 / 0.35, rel=1e-6)
+    assert result.scene.vehicle.position == pytest.approx(1.35, abs=1e-5)
+
+
+def test_a_specimen_far_from_the_origin_and_turned_about_has_the_same_factor(one_axle):
+    far = {"specimen.turned": {"about": "z", "angle": "180 deg", "through": ["500 m", "0 m", "0 m"]}}
+    x = 1000.0 + one_axle.scene.vehicle.position
+    result = masonry.limit(load(BRIDGE, far | {"vehicle.position": f"{x!r} m"}))
+    assert result.factor == pytest.approx(one_axle.factor, rel=1e-8)
+
+
+def test_a_vault_in_bond_bears_what_its_arch_bears(one_axle):
+    vault = {"kind": "vault", "span": "5 m", "rise": "1.2 m", "thickness": "0.4 m", "courses": 25, "length": "1 m"}
+    vault |= {"units_per_course": 2, "contact_points": "vertex"}
+    x = one_axle.scene.vehicle.position
+    result = masonry.limit(load(BRIDGE, {"specimen": vault, "vehicle.position": f"{x!r} m"}))
+    assert result.factor == pytest.approx(one_axle.factor, rel=1e-6)
+
+
 def test_twice_the_weight_bears_twice_the_load_at_the_same_place(one_axle):
     twice = {"material.units.density": "4400 kg/m^3", "fill.0.density": "3600 kg/m^3"}
     result = masonry.limit(load(BRIDGE, twice))
@@ -168,6 +226,7 @@ NO_ANSWER = {
     "far": ({"vehicle.position": "30 m"}, "acts on no block that can move"),
     "way": ({"vehicle.between": ["20 m", "30 m"]}, "it reaches from -3.7"),
     "face": ({"vehicle.on": "voussoirs.y+"}, "name a set, without a face"),
+    "skew": ({"specimen.turned": {"about": "z", "angle": "30 deg"}}, "a road along x lies on faces"),
     "twice": ({"vehicle.on": "voussoir"}, "did you mean"),
     "thin": ({"specimen.thickness": "0.02 m", "fill": []}, "it cannot stand under its dead loads"),
 }

@@ -105,8 +105,8 @@ def road_bed(vehicle: Vehicle, specimen: Specimen, joints: Joints, chosen: np.nd
     plan = float(area @ normal[:, 2]) / float(np.prod((high - low)[:2]))
     if abs(plan - 1.0) > COVERS:
         raise SceneError(
-            f"{where}: the free faces that look up cover {100 * plan:.3g} % of their plan; a road lies on faces that "
-            "cover it once, side by side: name blocks that do"
+            f"{where}: the free faces that look up cover {100 * plan:.3g} % of the rectangle around them; a road "
+            "along x lies on faces that cover it once, side by side: name blocks that do"
         )
     if vehicle.level < high[2] - NARROW * (high[0] - low[0]):
         raise SceneError(
