@@ -68,8 +68,7 @@ def _along_bars(layout: Layout, bars: BarPlaces | None, member: np.ndarray, size
     """(n, 6) what six rigid motions do to the lengths of bars between a part and places that stay in space."""
     if bars is None:
         return np.zeros((0, 6))
-    free = np.asarray(bars.block < 0)
-    bar, end = np.nonzero(~free & np.asarray(free.any(axis=1))[:, None])
+    bar, end = np.nonzero((bars.block >= 0) & bars.ends_in_space[:, None])
     own = np.flatnonzero(member[bars.block[bar, end]])
     axis, point = bars.axis[bar[own]], bars.point[bar[own], end[own]]
     return np.concatenate([axis, np.cross(point - layout.centroid.mean(axis=0), axis) / size], axis=1)

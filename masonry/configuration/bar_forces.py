@@ -26,6 +26,15 @@ def forces_of_bars(model: Model, turns: bool) -> BarForces | None:
     return BarForces(places.block[bar, end], force, place + model.u[bars.sides[bar, end]] if turns else place)
 
 
+def forces_of_fixed_ends(model: Model, turns: bool) -> np.ndarray:
+    """(6,) N and N m about the origin of the scene, what bars whose other ends stay in space do to the blocks."""
+    acting, places = forces_of_bars(model, turns), model.bar_places
+    assert acting is not None and places is not None
+    alone = places.ends_in_space[np.nonzero(places.block >= 0)[0]]
+    force, moment = acting.force[alone], np.cross(acting.place[alone], acting.force[alone])
+    return np.concatenate([force.sum(axis=0), moment.sum(axis=0)])
+
+
 def with_bars(model: Model, pressed: np.ndarray) -> np.ndarray:
     """(B,) N, sums of all components of the forces at the contacts of each block, and of the bars that end in it."""
     if (acting := forces_of_bars(model, turns=False)) is None:

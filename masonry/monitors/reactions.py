@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from masonry.configuration.bar_forces import forces_of_fixed_ends
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.layout import KINDS
 from masonry.model.loads import Conditions, PointForce
@@ -14,6 +16,8 @@ from masonry.monitors.observer import Observer, View
 
 FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
 NO_SHIFT = np.zeros((0, 3)), np.zeros((0, 3))
+BARS = "bars"
+"""The name of what bars do that end in space, among supports."""
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -61,6 +65,8 @@ class Surroundings:
             own = {kind: masks[kind] & ~taken[kind] for kind in KINDS}
             taken = {kind: taken[kind] | own[kind] for kind in KINDS}
             self.holds.append(Outer(name, _parts({kind: own[kind].astype(float) for kind in KINDS})))
+        if conditions.bars is not None and conditions.bars.ends_in_space.any():
+            self.holds.append(Outer(BARS, {}))
         for name, load in conditions.each_load.items():
             varies = next((k for k, varying in enumerate(conditions.varying) if varying is load), None)
             points = tuple(conditions.at_points.get(name, ()))
@@ -80,6 +86,8 @@ class Surroundings:
         parts = {part.name: part for part in parts_of(model)}
         reactions = np.zeros((len(self.holds), 6))
         for k, one in enumerate(self.holds):
+            if one.name == BARS:
+                reactions[k] = forces_of_fixed_ends(model, configuration_of(model).any_size)
             for kind, (rows, mask) in one.parts.items():
                 reactions[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
         loads = self.resultants(model, load_factors)

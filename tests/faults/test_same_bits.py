@@ -84,6 +84,9 @@ SCENES = {
     ),
     "a wall whose top is led on behind the collapse": lambda: load_scene("wall-tilted", LED),
     "a wall on ground that is tilted to and fro": lambda: load_scene("wall-tilted", TO_AND_FRO),
+    "a wall on ties that yield": lambda: load_scene(
+        "wall-tied", {"settle.steps": 500, "limit.accuracy": 0.05, "limit.up_to": 0.3, "solver.rows": 30}
+    ),
     "a blow after the settling": lambda: standing('["1 m/s", 0, 0]', 300).with_({"solver.rows": 30}),
     "ground that moves": lambda: scene_runs.load("block-on-ground", SHAKEN),
     "supports that move": lambda: scene_runs.load("block-on-ground", {**SHAKEN, "ground.as": "base"}),

@@ -30,7 +30,7 @@ TURNS = {
 }
 DRY = (
     *("arch", "arch-own-weight", "arch-spread", "arch-spreading", "arch-tilted", "block-rocking", "column-pushed"),
-    *("bridge", "bridge-single-span"),
+    *("bridge", "bridge-single-span", "house-tilted", "wall-tied"),
     *("dome-own-weight", "facade-tilted", "rubble-pile", "triplet-dry", "vault-spreading", "wall-out-of-plane"),
     *("wall-three-leaf", "wall-three-leaf-out-of-plane", "wall-tilted", "wall-to-and-fro", "wall-with-window"),
 )

@@ -1,6 +1,6 @@
 """Bars between points of blocks, before and after a model is made: their ends are sides of contacts of their own."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
@@ -37,6 +37,18 @@ class BarPlaces:
     @property
     def count(self) -> int:
         return len(self.stiffness)
+
+    @property
+    def ends_in_space(self) -> np.ndarray:
+        """(K,) whether an end stays where it is in space."""
+        return np.asarray((self.block < 0).any(axis=1))
+
+    @property
+    def taut(self) -> "BarPlaces":
+        """Those that bear as soon as their ends part; the columns are left out."""
+        which = self.slack == 0.0
+        arrays = {entry.name: getattr(self, entry.name)[which] for entry in fields(self) if entry.name != "columns"}
+        return BarPlaces(**arrays, columns={})
 
     @property
     def apart(self) -> np.ndarray:

@@ -1,0 +1,146 @@
+"""Bars between blocks: what a scene may say of them, and what they do, by hand."""
+
+import numpy as np
+import pytest
+
+import masonry
+from masonry.assembly.assemble import assemble
+from masonry.configuration import model_state
+from masonry.errors import SceneError
+from masonry.limit_analysis.analysis import LimitSettings, analyse
+from verification.scene_runs import load
+
+HUNG = {
+    "gravity": {"z": "-9.81 m/s^2"},
+    "drive": None,
+    "support": [{"on": "foot", "fix": "all"}, {"on": "block", "fix": ["x", "y", "rotation"]}],
+    "bar.0.ends": [["0 m", "0 m", "0 m"], ["0 m", "0 m", "1 m"]],
+    "gauge.0": {"name": "z", "at": "block", "direction": "z"},
+}
+STIFFNESS, WEIGHT = 1e6, 2.0 * 9.81
+
+
+def hung(**changes):
+    """A block of 2 kg that hangs on a bar of 1 MN/m and of 1 kN."""
+    return load("block-on-a-bar", HUNG | {key.replace("__", "."): value for key, value in changes.items()})
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"bar.0.ends": [["0 m", "0 m", "0 m"], ["0 m", "0 m", "0 m"]]}, "a bar has a length"),
+        ({"bar.0.slack": "1 mm", "bar.0.pretension": "1 N"}, "keep one of slack and pretension"),
+        ({"bar.0.pretension": "2 kN"}, "strength times area is 1000 N"),
+        ({"bar.0.repeat": 2}, "spacing: missing"),
+        ({"bar.0.spacing": ["1 m", "0 m", "0 m"]}, "belongs to repeat"),
+        ({"bar.0.youngs_modulus": "1 GPa"}, "did you mean 'young_modulus'"),
+        ({"bar.0.streng": "1 MPa"}, "did you mean 'strength'"),
+        ({"bar.0.name": "z"}, "is a column of the results already"),
+    ],
+)
+def test_what_a_table_says_wrong_is_told_with_its_key(changes, said):
+    with pytest.raises(SceneError, match=said):
+        load("block-on-a-bar", HUNG | changes)
+
+
+def test_an_end_lies_in_one_block():
+    with pytest.raises(SceneError, match="first end at .* lies in no block; the nearest, block 1 .* is 0.05 m away"):
+        assemble(hung(**{"bar.0.ends": [["0.1 m", "0 m", "0 m"], ["0 m", "0 m", "1 m"]]}))
+    with pytest.raises(SceneError, match="lies in the joint of block 0"):
+        assemble(masonry.load("wall-tied", {"bar.0.ends": [["0.6 m", "0.15 m", "0.3 m"], ["0.6 m", "3 m", "0.3 m"]]}))
+
+
+def test_blocks_of_tets_hold_bars_at_their_surface():
+    tets = {
+        "kinematics": {"units": "tets"},
+        "specimen.mesh": "fan",
+        "material.units.young_modulus": "20 GPa",
+        "material.units.poisson_ratio": 0.2,
+        "support": [{"on": "foot", "fix": "all"}, {"on": "block", "fix": ["x", "y"]}],
+    }
+    with pytest.raises(SceneError, match="hold bars at their surface; the nearest place there is"):
+        assemble(hung(**tets))
+    ends = [["20 mm", "10 mm", "50 mm"], ["20 mm", "10 mm", "1.05 m"]]
+    places = assemble(hung(**tets, **{"bar.0.ends": ends})).model.bar_places
+    nodes = assemble(hung(**tets, **{"bar.0.ends": ends})).mesh.nodes
+    assert places.fraction[0, 0] @ nodes[places.node[0, 0]] == pytest.approx([0.02, 0.01, 0.05])
+
+
+@pytest.mark.parametrize("displacements", ["small", "large"])
+def test_a_block_that_hangs_stretches_its_bar_by_its_weight(displacements):
+    result = masonry.run(hung(displacements=displacements))
+    rows, bars = result.history.rows, result.summary["bars"]
+    assert rows["bar"][-1] == pytest.approx(WEIGHT, rel=1e-6) and rows["z"][-1] == pytest.approx(-WEIGHT / STIFFNESS)
+    assert bars["yielded"] == 0 and result.history.unit("bar") == "N"
+    assert rows["elastic_bars"][-1] == pytest.approx(0.5 * WEIGHT**2 / STIFFNESS)
+    assert result.summary["energy_imbalance"] < 1e-10 and result.summary["force_balance"] < 1e-10
+    assert result.summary["reactions"]["end"]["bars"]["force_n"][2] == pytest.approx(WEIGHT)
+
+
+def test_a_pretension_lifts_the_block_and_is_work_from_outside():
+    result = masonry.run(hung(**{"bar.0.pretension": "500 N"}))
+    rows = result.history.rows
+    assert rows["z"][-1] == pytest.approx((500.0 - WEIGHT) / STIFFNESS)  # nothing holds its ends apart
+    assert rows["bar"][-1] == pytest.approx(WEIGHT, rel=1e-6)
+    assert result.summary["energy_imbalance"] < 1e-10 and result.summary["dissipation_mismatch"] < 1e-6
+
+
+def test_two_ends_in_one_block_do_nothing():
+    still = masonry.run(hung(**{"bar.0.repeat": 1}))
+    beside = {"ends": [["0 m", "0 m", "0 m"], ["20 mm", "0 m", "20 mm"]], "area": "1 cm^2", "young_modulus": "1 GPa"}
+    bars = [{**beside, "pretension": "1 kN"}, hung().resolved()["bar"][0]]
+    moved = masonry.run(hung(bar=bars))
+    assert moved.history.rows["z"][-1] == pytest.approx(still.history.rows["z"][-1], rel=1e-9)
+    assert moved.summary["bars"]["largest_force_n"] == pytest.approx(1e3)
+
+
+def test_the_step_of_a_bar_is_proven_and_sharp():
+    """Of a block of mass m on a spring k the bound is 2 sqrt(m / k)."""
+    scene = hung(settle={"steps": 0}, solver={"masses": "real", "damping": 0, "duration": "1 s"})
+    assert assemble(scene).model.bound == pytest.approx(2.0 * np.sqrt(2.0 / STIFFNESS))
+    stiff = {"displacements": "large", "bar.0.young_modulus": "1e6 GPa", "bar.0.strength": None}
+    large = assemble(scene.with_(stiff)).model
+    assert 0.5 < large.bound / (2.0 * np.sqrt(2.0 / (1e5 * STIFFNESS))) <= 1.0
+
+
+def test_what_a_bar_remembers_is_kept_and_put_back():
+    model = assemble(hung()).model
+    names = {name for name in model_state.state(model) if name.startswith("bars.")}
+    assert {"bars.tension", "bars.plastic", "bars.plastic_work", "bars.tightening"} < names
+    saved = model_state.state(model)
+    model.bars.plastic[:] = 1.0
+    model_state.restore(model, saved)
+    assert model.bars.plastic[0] == 0.0
+    assert not any(name.startswith("bars.") for name in model_state.state(assemble(masonry.load("couplet")).model))
+
+
+def test_modes_have_the_stiffness_of_bars():
+    result = masonry.modes(hung())
+    assert result.frequencies[0] == pytest.approx(np.sqrt(STIFFNESS / 2.0) / (2.0 * np.pi))
+
+
+BY_HAND = 0.125 + 2.0 * 13.3e6 * 1.13e-4 * 1.65 / (0.5 * 2200.0 * 9.81 * 3.0 * 2.4 * 0.3 * 2.4)
+
+
+@pytest.mark.parametrize(
+    "wishes",
+    [LimitSettings(), LimitSettings(dilation=False), LimitSettings(sides=8), LimitSettings(strength=False)],
+)
+def test_a_tied_wall_turns_about_its_foot_while_its_ties_yield(wishes):
+    result = analyse(masonry.load("wall-tied"), wishes)
+    assert result.factor == pytest.approx(BY_HAND, rel=1e-6)
+    assert result.bar_force == pytest.approx(2 * [13.3e6 * 1.13e-4], rel=1e-6)
+    assert result.as_data()["bars"]["yielding"] == [0, 1] and "2 of 2 yield" in f"{result}"
+
+
+def test_ties_that_are_pushed_bear_nothing_unless_they_are_struts():
+    back = {"limit": {"pattern": "weight", "direction": "y"}}
+    assert masonry.limit(masonry.load("wall-tied", back)).factor == pytest.approx(0.125, rel=1e-6)
+    strut = masonry.limit(masonry.load("wall-tied", back | {"bar.0.compression": True}))
+    assert strut.factor == pytest.approx(BY_HAND, rel=1e-6) and (strut.bar_force < 0.0).all()
+
+
+def test_joints_that_crush_and_ties_that_yield():
+    """About a toe of stress fc the pivot lies half of the pressed width inside: a little less than about the edge."""
+    result = analyse(masonry.load("wall-tied"), LimitSettings(crushing=5e6))
+    assert 0.98 * BY_HAND < result.factor < BY_HAND

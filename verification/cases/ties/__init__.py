@@ -1,0 +1,1 @@
+"""Bars between blocks: their law, their motion, and what they hold."""
