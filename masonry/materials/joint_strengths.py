@@ -24,7 +24,7 @@ BENDING = CharacteristicShare(1.0 / 1.5, "characteristic = mean / 1.5 (EN 1052-2
 COMPRESSION = CharacteristicShare(1.0 / 1.2, "characteristic = mean / 1.2 (EN 1052-1)")
 
 
-class Strength(NamedTuple):
+class JointStrength(NamedTuple):
     """Mean and characteristic value, the range of the mean, where they are from; whether nobody measured it."""
 
     mean: float
@@ -35,30 +35,30 @@ class Strength(NamedTuple):
     is_assumed: bool = False
 
 
-def measured(value: float, share: CharacteristicShare, basis: str | None, test: str) -> Strength:
+def measured(value: float, share: CharacteristicShare, basis: str | None, test: str) -> JointStrength:
     """A strength that the user hands over, as a mean or as a characteristic value."""
     mean = value / share.value if basis == CHARACTERISTIC else value
     characteristic = mean * share.value
     word = basis or "mean"
-    return Strength(
+    return JointStrength(
         mean, characteristic, characteristic, 2.0 * mean - characteristic, f"{test}, {word}; {share.source}"
     )
 
 
-def of_code(strength: CodeStrength, share: CharacteristicShare, high: float = CODE_IS_LOW) -> Strength:
+def of_code(strength: CodeStrength, share: CharacteristicShare, high: float = CODE_IS_LOW) -> JointStrength:
     """A strength of a table, with its range from there to `high` times the mean."""
     mean = strength.value / share.value
-    return Strength(mean, strength.value, strength.value, high * mean, f"{strength.source}; {share.source}", True)
+    return JointStrength(mean, strength.value, strength.value, high * mean, f"{strength.source}; {share.source}", True)
 
 
 class JointStrengths(NamedTuple):
     """What a joint bears; None where nothing says it. `friction` is a tangent."""
 
-    cohesion: Strength | None
-    friction: Strength | None
-    flexural: Strength | None
-    tension: Strength | None
-    compression: Strength | None
+    cohesion: JointStrength | None
+    friction: JointStrength | None
+    flexural: JointStrength | None
+    tension: JointStrength | None
+    compression: JointStrength | None
 
 
 def joint_strengths(data: ContactData) -> JointStrengths:
@@ -76,7 +76,7 @@ def joint_strengths(data: ContactData) -> JointStrengths:
     )
 
 
-def compression(data: ContactData) -> Strength | None:
+def compression(data: ContactData) -> JointStrength | None:
     """Across the bed joints, measured or by 3.6.1.2 of the code."""
     if data.masonry_strength is not None:
         return _given(data, "masonry_strength", COMPRESSION, "compression tests (EN 1052-1)")
@@ -87,12 +87,12 @@ def compression(data: ContactData) -> Strength | None:
     return None if strength is None else of_code(strength, COMPRESSION, 1.5)
 
 
-def _given(data: ContactData, key: str, share: CharacteristicShare, test: str) -> Strength | None:
+def _given(data: ContactData, key: str, share: CharacteristicShare, test: str) -> JointStrength | None:
     value = getattr(data, key)
     return None if value is None else measured(value, share, data.basis, test)
 
 
-def _cohesion(data: ContactData, line: ShearLine | None) -> Strength | None:
+def _cohesion(data: ContactData, line: ShearLine | None) -> JointStrength | None:
     if line is not None:
         return _of_line(line.cohesion, line.cohesion_error, line)
     if data.cohesion is not None:
@@ -100,7 +100,7 @@ def _cohesion(data: ContactData, line: ShearLine | None) -> Strength | None:
     return _of_table(data, eurocode_6.shear_strength, SHEAR)
 
 
-def _friction(data: ContactData, line: ShearLine | None) -> Strength | None:
+def _friction(data: ContactData, line: ShearLine | None) -> JointStrength | None:
     if line is not None:
         return _of_line(line.tan, line.tan_error, line)
     if data.friction is not None:
@@ -111,22 +111,22 @@ def _friction(data: ContactData, line: ShearLine | None) -> Strength | None:
     return of_code(share, SHEAR, 1.6)
 
 
-def _flexural(data: ContactData) -> Strength | None:
+def _flexural(data: ContactData) -> JointStrength | None:
     if data.bond_strength is not None:
         return _given(data, "bond_strength", BENDING, "bond wrench tests (EN 1052-5)")
     return _of_table(data, eurocode_6.bending_strength, BENDING)
 
 
-def _of_table(data: ContactData, table: Any, share: CharacteristicShare) -> Strength | None:
+def _of_table(data: ContactData, table: Any, share: CharacteristicShare) -> JointStrength | None:
     if data.unit is None or data.mortar is None or not data.mortar.has_code:
         return None
     strength = table(data.unit, None if data.mortar.is_thin else data.mortar.strength)
     return None if strength is None else of_code(strength, share)
 
 
-def _of_line(value: float, error: float, line: ShearLine) -> Strength:
+def _of_line(value: float, error: float, line: ShearLine) -> JointStrength:
     test = f"line through {line.tests} shear tests at {line.pressures} pressures (EN 1052-3); {SHEAR.source}"
-    return Strength(value, SHEAR.value * value, max(value - error, 0.0), value + error, test)
+    return JointStrength(value, SHEAR.value * value, max(value - error, 0.0), value + error, test)
 
 
 def _require_one(data: ContactData, first: str, second: str) -> None:

@@ -6,7 +6,7 @@ from masonry.errors import SceneError
 from masonry.materials import eurocode_6, published_rules
 from masonry.materials.contact_data import CHARACTERISTIC, ContactData
 from masonry.materials.course_data import CourseData, course_data
-from masonry.materials.joint_strengths import JointStrengths, Strength, joint_strengths
+from masonry.materials.joint_strengths import JointStrength, JointStrengths, joint_strengths
 from masonry.materials.published_rules import PublishedRule
 
 SCATTER = 0.5
@@ -92,7 +92,7 @@ def _within(course: CourseData) -> list[JointValue]:
     ]
 
 
-def _written(data: ContactData, key: str, unit: ShownUnit, strength: Strength) -> JointValue:
+def _written(data: ContactData, key: str, unit: ShownUnit, strength: JointStrength) -> JointValue:
     """A strength as the user wants it: its mean or its characteristic value."""
     characteristic = data.strengths == CHARACTERISTIC
     value = strength.characteristic if characteristic else strength.mean

@@ -18,7 +18,7 @@ from tests.fuzz.forked import Forked
 from tests.fuzz.odd import FORGED, SECRET
 from tests.fuzz.room import HANG, Room
 
-for module in ("geometry", "limits", "runs", "scenes"):
+for module in ("geometry", "limits", "materials", "runs", "scenes"):
     import_module(f"tests.fuzz.kinds.{module}")
 SMALL = {"BLOCKS": 100, "CONTACT_POINTS": 5000, "TETS": 5000}
 LARGE = {"BLOCKS": 300, "CONTACT_POINTS": 20_000, "TETS": 20_000}
