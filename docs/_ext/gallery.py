@@ -2,7 +2,9 @@
 
 import contextlib
 import io
+import multiprocessing
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,7 @@ import masonry
 from masonry.cli.main import main
 from masonry.drawings.geometry_picture import draw_geometry
 from masonry.importing.data_sets import DATA_SETS, DataSet
+from masonry.runtime.processors import processors
 from masonry.scene import load, packaged
 
 PAGE, MARK, IMPORTED, PICTURES = "gallery", "<!-- scenes -->", "<!-- imported -->", "_generated"
@@ -18,46 +21,67 @@ CHEAP = ("couplet", "arch-spread")
 PACKAGE = Path(masonry.__file__).parent
 
 
-def page(folder: Path) -> str:
-    """Markdown: a section a scene; its pictures are drawn into the folder."""
+def draw(folder: Path) -> None:
+    """Draw what is missing or older than the program, on all processors."""
     folder.mkdir(exist_ok=True)
     newest = max(path.stat().st_mtime for path in PACKAGE.rglob("*.*") if path.suffix in (".py", ".toml"))
-    return "\n\n".join("\n".join(_section(name, folder, newest)) for name in packaged())
+    scenes = [name for name in packaged() if any(_is_due(path, newest) for path in _pictures(name, folder))]
+    imports = [data for data in DATA_SETS if _is_due(_imported_files(data, folder)[0], newest)]
+    with ProcessPoolExecutor(processors(), multiprocessing.get_context("spawn")) as pool:
+        jobs = [pool.submit(_draw_import, data, folder) for data in imports]  # the longest first
+        jobs += [pool.submit(_draw_scene, name, folder) for name in scenes]
+        for job in jobs:
+            job.result()
 
 
-def _section(name: str, folder: Path, newest: float) -> Iterator[str]:
-    scene = load(name)
-    yield from (f"## {name}", f"{scene.title}." if scene.title else "", "")
-    picture = folder / f"{name}.png"
-    if _is_due(picture, newest):
-        draw_geometry(scene, picture)
-    yield from (_image(f"The specimen of {name}", picture), "")
+def page(folder: Path) -> str:
+    """Markdown: a section a scene, with its pictures in the folder."""
+    return "\n\n".join("\n".join(_section(name, folder)) for name in packaged())
+
+
+def _pictures(name: str, folder: Path) -> list[Path]:
+    """Of a scene: its specimen, and curve and cracks where it is cheap."""
+    return [folder / f"{name}{what}.png" for what in ("", "-curve", "-cracks")[: 3 if name in CHEAP else 1]]
+
+
+def _draw_scene(name: str, folder: Path) -> None:
+    scene, pictures = load(name), _pictures(name, folder)
+    draw_geometry(scene, pictures[0])
     if name in CHEAP:
-        drawn = [folder / f"{name}-{what}.png" for what in ("curve", "cracks")]
-        if any(_is_due(path, newest) for path in drawn):
-            result = masonry.run(scene)
-            result.plot(drawn[0])
-            result.picture(drawn[1])
-        yield from (_image(f"Curve and energies of {name}", drawn[0]), "")
-        yield from (_image(f"Cracks of {name}", drawn[1]), "")
+        result = masonry.run(scene)
+        result.plot(pictures[1])
+        result.picture(pictures[2])
+
+
+def _section(name: str, folder: Path) -> Iterator[str]:
+    scene, pictures = load(name), _pictures(name, folder)
+    yield from (f"## {name}", f"{scene.title}." if scene.title else "", "")
+    for says, picture in zip(("The specimen", "Curve and energies", "Cracks"), pictures, strict=False):
+        yield from (_image(f"{says} of {name}", picture), "")
     text = (PACKAGE / "scenes" / f"{name}.toml").read_text(encoding="utf-8")
     yield from (f"<details><summary>{name}.toml</summary>", "", "```toml", text.rstrip(), "```", "", "</details>")
 
 
 def imported(folder: Path) -> str:
     """Markdown: a section for each set of surfaces that comes with the program, with the commands that make it."""
-    folder.mkdir(exist_ok=True)
-    newest = max(path.stat().st_mtime for path in PACKAGE.rglob("*.py"))
-    return "\n\n".join("\n".join(_data_section(data, folder, newest)) for data in DATA_SETS)
+    return "\n\n".join("\n".join(_data_section(data, folder)) for data in DATA_SETS)
 
 
-def _data_section(data: DataSet, folder: Path, newest: float) -> Iterator[str]:
+def _imported_files(data: DataSet, folder: Path) -> tuple[Path, Path]:
+    """Its picture and its scene."""
     stem = data.name.removesuffix(".obj")
-    picture, scene = folder / f"imported-{stem}.png", folder / f"imported-{stem}.toml"
-    if _is_due(picture, newest):
-        with contextlib.redirect_stdout(io.StringIO()):
-            assert main(["import", data.name, *data.options, "--out", str(scene), "--overwrite"]) == 0
-        draw_geometry(load(scene), picture, data.view)
+    return folder / f"imported-{stem}.png", folder / f"imported-{stem}.toml"
+
+
+def _draw_import(data: DataSet, folder: Path) -> None:
+    picture, scene = _imported_files(data, folder)
+    with contextlib.redirect_stdout(io.StringIO()):
+        assert main(["import", data.name, *data.options, "--out", str(scene), "--overwrite"]) == 0
+    draw_geometry(load(scene), picture, data.view)
+
+
+def _data_section(data: DataSet, folder: Path) -> Iterator[str]:
+    stem, (picture, _) = data.name.removesuffix(".obj"), _imported_files(data, folder)
     words = " ".join(f'"{word}"' if " " in word else word for word in data.options)
     yield from (f"### {data.name}", f"{data.title}. {data.why}", "", f"Source and licence: {data.source}.", "")
     yield from (_image(f"The blocks of {data.name}", picture), "")
@@ -78,6 +102,7 @@ def _is_due(path: Path, newest: float) -> bool:
 def _read(app: Any, name: str, source: list[str]) -> None:
     if name == PAGE:
         folder = Path(app.srcdir) / PICTURES
+        draw(folder)
         source[0] = source[0].replace(IMPORTED, imported(folder)).replace(MARK, page(folder))
 
 
