@@ -8,14 +8,14 @@ from masonry.runtime.shell import OK
 
 def run_scene(words: argparse.Namespace) -> int:
     """`masonry run`."""
-    from masonry.cli.run import run
+    from masonry.laboratory.run_command import run
 
     return run(words)
 
 
 def resume_run(words: argparse.Namespace) -> int:
     """`masonry resume`."""
-    from masonry.cli.run import resume
+    from masonry.laboratory.run_command import resume
 
     return resume(words)
 

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from masonry.cli import law_command
 from masonry.cli.main import main
-from masonry.drawings import law_portrait
+from masonry.drawings import law_command, law_portrait
 from masonry.drawings.law_picture import law_figure
 from masonry.drawings.law_portrait import COMPRESSIONS, portrait
 from masonry.errors import SceneError

@@ -15,7 +15,12 @@ POLL = 0.001
 PATIENCE = 900.0
 """Seconds after which a process is taken to hang."""
 LOADED = (
-    *("masonry.cli.main", "masonry.cli.run", "masonry.laboratory.laboratory", "masonry.laboratory.summary.provenance"),
+    *(
+        "masonry.cli.main",
+        "masonry.laboratory.run_command",
+        "masonry.laboratory.laboratory",
+        "masonry.laboratory.summary.provenance",
+    ),
     *("masonry.results.archive", "masonry.results.fields", "masonry.curves.curve", "masonry.pictures.crack_picture"),
     *("h5py", "scipy.spatial"),
 )
