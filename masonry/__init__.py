@@ -13,12 +13,30 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from masonry.functions.shell_functions import (
+    export as export,
+)
+from masonry.functions.shell_functions import (
+    import_blocks as import_blocks,
+)
+from masonry.functions.shell_functions import (
+    law as law,
+)
+from masonry.functions.shell_functions import (
+    record as record,
+)
+from masonry.functions.shell_functions import (
+    resume as resume,
+)
+from masonry.functions.shell_functions import (
+    verify as verify,
+)
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from pathlib import Path
 
     from masonry.comparison.sensitivity import Sensitivity
-    from masonry.importing.report import ImportReport
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
     from masonry.limit_analysis.limit_result import LimitResult
@@ -359,28 +377,6 @@ def write_blocks(
     from masonry.importing.block_writing import write_blocks as write
 
     return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
-
-
-def import_blocks(
-    source: "str | Path", out: "str | Path | None" = None, overwrite: bool = False, **words: Any
-) -> "ImportReport":
-    """Blocks and a scene from CAD, surfaces, COMPAS, Neper or meshes: see docs/import.md for what is read.
-
-    out    the scene to write, NAME.toml, with its blocks beside it; without it the blocks stand in the scene itself
-    words  as of `masonry import`: unit="mm", tolerance="0.1 mm", gap="5 mm", up="y", groups={"brick*": "units"}, ...
-    What comes back prints as the command does; `.scene`, `.specimen`, `.joints`, `.notes`. Raises SceneError or
-    GeometryError; then nothing is written.
-
-    >>> dome = masonry.import_blocks("dome.obj", gap="5 mm")  # ships with the program
-    >>> dome.specimen.blocks.count, len(dome.joints.patch_start) - 1
-    (90, 250)
-    """
-    from masonry.importing.import_words import settings_of
-    from masonry.importing.importing import import_file
-    from masonry.laboratory.arguments import flag, path
-
-    target = None if out is None else path("out", out)
-    return import_file(path("source", source), target, settings_of(words), flag("overwrite", overwrite))
 
 
 def _packed(tables: Any) -> Any:

@@ -60,6 +60,7 @@ FLOORS = (
         "masonry.reporting",
         "masonry.sweeps",
         "masonry.comparison",
+        "masonry.functions",
         "masonry",
         "masonry.cli",
     ),

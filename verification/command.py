@@ -7,9 +7,12 @@ moved), 2 wrong words, 130 interrupted.
 import json
 import time
 from argparse import Namespace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from masonry.errors import SceneError
+from masonry.runtime.progress import Tell
 from masonry.runtime.shell import Parser, complain, tell
 from verification import catalogue, records, runner, text
 from verification.case import Case
@@ -52,6 +55,40 @@ def parser() -> Parser:
     return words
 
 
+@dataclass(frozen=True, repr=False)
+class Verification:
+    """What came of some cases; it prints as `masonry verify` does."""
+
+    outcomes: list[CaseOutcome]
+    seconds: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether every case holds, and one at least proves something."""
+        return all(o.holds for o in self.outcomes) and any(o.proves for o in self.outcomes)
+
+    def __repr__(self) -> str:
+        last = text.verdict(self.outcomes, self.seconds)
+        return text.as_text(list(map(text.row, self.outcomes)), text.HEADER, text.notes(self.outcomes), last)
+
+
+def verify(names: Sequence[str], full: bool, workers: int, tell: Tell | None) -> Verification:
+    """See `masonry.verify`. Raises SceneError, and `runner.CutShort` where it is interrupted."""
+    if not isinstance(workers, int) or workers < 0:
+        raise SceneError(f"workers = {workers!r:.20}: 0 (all in this process) or more")
+    begun = time.perf_counter()
+    outcomes = runner.run(_cases(names, full, "full"), workers, tell)
+    return Verification(outcomes, time.perf_counter() - begun)
+
+
+def _cases(names: Sequence[str], full: bool, word: str) -> list[Case]:
+    """Those that are named, else the quick ones, or all."""
+    known = catalogue.catalogue()
+    if full and names:
+        raise SceneError(f"{word} runs all cases: name none beside it")
+    return catalogue.chosen(names, known) or [c for c in known.values() if full or c.quick]
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message where the words are wrong."""
     words = parser().parse_args(arguments)
@@ -62,13 +99,10 @@ def main(arguments: list[str] | None = None) -> int:
         return _compare(words.format, old, last_version(new))
     if words.workers < 0:
         raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
-    known = catalogue.catalogue()
     if words.list:
-        print(text.listing(known.values()))
+        print(text.listing(catalogue.catalogue().values()))
         return HOLDS
-    if words.full and words.cases:
-        raise SceneError("--full runs all cases: name none beside it")
-    cases = catalogue.chosen(words.cases, known) or [c for c in known.values() if words.full or c.quick]
+    cases = _cases(words.cases, words.full, "--full")
     old = records.load(words.compare[0]) if words.compare else []
     if words.out:
         require_ours(words.out / PAGE)

@@ -32,17 +32,11 @@ def check_scene(words: argparse.Namespace) -> int:
 
 def export_scene(words: argparse.Namespace) -> int:
     """`masonry export`: with tets where the scene has them."""
-    from geometry.files.export import export, require_suffix
     from masonry import scene
-    from masonry.assembly.assemble import joined, meshed
-    from masonry.runtime.named_file import require_free
+    from masonry.functions.shell_functions import write_export
 
-    require_suffix(words.to)
-    require_free(words.to, words.overwrite)
-    loaded = scene.load(words.scene, words.overrides)
-    specimen, joints = joined(loaded)
-    export(words.to, specimen, meshed(loaded, specimen.blocks, joints)[0])
-    print(visible(f"{words.to}: {specimen.blocks.count} blocks"))
+    blocks = write_export(scene.load(words.scene, words.overrides), words.to, words.overwrite)
+    print(visible(f"{words.to}: {blocks} blocks"))
     return OK
 
 

@@ -1,14 +1,18 @@
 """`masonry record`: makes a record of the ground by seed and writes it as CSV; its numbers, and a picture of it."""
 
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.runtime.named_file import require_free, require_picture
+from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
+
+if TYPE_CHECKING:
+    from masonry.ground.made_record import MadeRecord
 
 EPILOG = "The keys are those of [ground.made] in a scene: docs/scene.md, docs/fragility.md."
 EXAMPLE = "spectrum=eurocode-8-1 soil=B a_g='0.2 g' duration='20 s' seed=1"
@@ -29,39 +33,46 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message."""
     words = parser().parse_args(arguments)
-    table = _table(words.keys)
-    from masonry.scene.tables.dynamics.made_record import COMPONENTS
-
-    if not 1 <= words.components <= len(COMPONENTS):
-        raise SceneError(f"--components {words.components}: 1, 2 or 3")
-    if words.file.suffix != ".csv":
-        raise SceneError(f"'{words.file}': the record is a .csv file; nearest: '{words.file.stem or 'record'}.csv'")
     plot = None if words.plot is None else Path(words.plot or words.file.with_suffix(".png"))
+    if plot is not None and plot.suffix != ".png":
+        raise SceneError(f"--plot '{plot}': the picture is a .png file; nearest: '{plot.stem or 'record'}.png'")
+    keys = _keys(words.keys)
+    require_csv(words.file, words.overwrite)
     if plot is not None:
-        require_picture(plot, "--plot")
-    for path in filter(None, (words.file, plot)):
-        require_free(path, words.overwrite)
-    names = COMPONENTS[: words.components]
-    records = {name: table.record(name) for name in names}
-    _write(words.file, records)
+        require_free(plot, words.overwrite)
+    records = made_records(keys, words.components, "--components")
+    write_records(words.file, records)
     for name, record in records.items():
         print(_text(name, record))
     if plot is not None:
-        _draw(plot, f"{words.file.stem}: {table.spectrum}, seed {table.seed}", records[names[0]])
+        table = _table(keys)
+        _draw(plot, f"{words.file.stem}: {table.spectrum}, seed {table.seed}", next(iter(records.values())))
     print("\n".join(str(path) for path in filter(None, (words.file, plot))))
     return OK
 
 
-def _table(keys: list[str]) -> Any:
-    """The table [ground.made] that the words make."""
-    from pydantic import ValidationError, create_model
+def require_csv(path: Path, overwrite: bool) -> None:
+    """Raise SceneError where no record may be written to a file."""
+    if path.suffix != ".csv":
+        raise SceneError(f"'{path}': the record is a .csv file; nearest: '{path.stem or 'record'}.csv'")
+    require_free(path, overwrite)
 
-    from masonry.scene.messages import explain
-    from masonry.scene.source import Source
-    from masonry.scene.tables.dynamics.made_record import MadeGround
 
+def made_records(keys: Mapping[str, Any], components: int, word: str = "components =") -> "dict[str, MadeRecord]":
+    """By name of the component; keys are those of [ground.made]; `word` names their number in a message. Raises
+    SceneError."""
+    from masonry.scene.tables.dynamics.made_record import COMPONENTS
+
+    table = _table(keys)
+    if not isinstance(components, int) or not 1 <= components <= len(COMPONENTS):
+        raise SceneError(f"{word} {components!r:.20}: 1, 2 or 3")
+    return {name: table.record(name) for name in COMPONENTS[:components]}
+
+
+def _keys(texts: list[str]) -> dict[str, Any]:
+    """Words KEY=VALUE as a table."""
     raw: dict[str, Any] = {}
-    for text in keys:
+    for text in texts:
         key, equals, value = (part.strip() for part in text.partition("="))
         if not equals or not key.isidentifier():
             raise SceneError(f"{text[:80]}: write KEY=VALUE, such as {EXAMPLE}")
@@ -69,6 +80,18 @@ def _table(keys: list[str]) -> Any:
             raw[key] = tomllib.loads(f"it = {value}")["it"]
         except tomllib.TOMLDecodeError:
             raw[key] = value
+    return raw
+
+
+def _table(keys: Mapping[str, Any]) -> Any:
+    """The table [ground.made] that keys make."""
+    from pydantic import ValidationError, create_model
+
+    from masonry.scene.messages import explain
+    from masonry.scene.source import Source
+    from masonry.scene.tables.dynamics.made_record import MadeGround
+
+    raw = dict(keys)
     of_a_scene = {"ground": {"made": raw}}
     ground = create_model("GroundThatIsMade", made=(MadeGround, ...))
     scene: Any = create_model("SceneOfGround", ground=(ground, ...))
@@ -78,7 +101,8 @@ def _table(keys: list[str]) -> Any:
         raise explain(error, Source("masonry record", "record", "", of_a_scene)) from None
 
 
-def _write(path: Path, records: dict[str, Any]) -> None:
+def write_records(path: Path, records: dict[str, Any]) -> None:
+    """Write them as CSV, whole or not at all. Raises SceneError."""
     from geometry.files.atomic import whole_file
     from masonry.runtime.folder import writing
 

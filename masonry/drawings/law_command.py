@@ -1,8 +1,9 @@
 """`masonry law`: which laws there are and where they come from; of one, its parameters, energies and portrait."""
 
 import inspect
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 from masonry.entry_points import plugins
 from masonry.errors import SceneError, nearest
@@ -10,6 +11,9 @@ from masonry.laws import law_names
 from masonry.laws.building.plugins import all_law_names, plugin_law
 from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
+
+if TYPE_CHECKING:
+    from masonry.drawings.law_portrait import Portrait
 
 COUPLET, GROUP = "couplet", "contact.unit_unit"
 SHOWN = {
@@ -56,20 +60,42 @@ def main(arguments: list[str] | None = None) -> int:
     plot = None if words.plot is None else Path(words.plot or f"law-{words.name}.png")
     if plot is not None:
         require_free(plot, words.overwrite)
-    contact = _contact(words.name, words.changes)
+    report = report_of(words.name, words.changes)
+    print(report)
+    if plot is not None:
+        print(report.draw(plot))
+    return OK
+
+
+@dataclass(frozen=True, repr=False)
+class LawReport:
+    """What a law does: its name, a table in words, and its portrait, which has the curves and their areas."""
+
+    name: str
+    table: list[tuple[str, list[str]]]
+    portrait: "Portrait"
+
+    def draw(self, path: Path) -> Path:
+        """Write the picture. Raises OSError."""
+        from masonry.drawings.law_picture import draw_law
+
+        return draw_law(self.name, self.portrait, path)
+
+    def __repr__(self) -> str:
+        from masonry.runtime.tables import aligned
+
+        return aligned(self.table)
+
+
+def report_of(name: str, changes: list[str]) -> LawReport:
+    """Of a law by its name, with some keys of the contact changed: "cohesion=0.6 MPa". Raises SceneError."""
     from masonry.drawings.law_portrait import COMPRESSIONS, portrait
     from masonry.laws.building.factory import build
 
+    contact = _contact(name, changes)
     parameters, joint = build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS))
     measured = portrait(parameters, joint)
-    from masonry.runtime.tables import aligned
-
-    print(aligned([*_about(words.name, contact, parameters), *_energies(contact, measured)]))
-    if plot is not None:
-        from masonry.drawings.law_picture import draw_law
-
-        print(draw_law(words.name, measured, plot))
-    return OK
+    return LawReport(name, [*_about(name, contact, parameters), *_energies(contact, measured)], measured)
 
 
 def _list() -> list[str]:

@@ -1,6 +1,7 @@
 """Blocks that a dictionary of a scene holds as objects: they go into the scene as text, so that it stands alone."""
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,17 @@ from geometry.polyhedra.validate import require_sound
 from masonry.errors import SceneError, nearest
 from masonry.importing.block_writing import specimen_of_bodies
 from masonry.importing.named_sets import section_of, sets_of
+from masonry.scene import Scene, load
 from masonry.scene.tables.specimen import FileSpec
 
 BODIES = "blocks"
 OF_BODIES = ("names", "groups", "units", "tolerance", "open_gaps")
 """Keys beside `blocks`: the words of `masonry.write_blocks`."""
+
+
+def scene_of(scene: "Scene | str | Path | Mapping[str, Any]") -> Scene:
+    """A scene as it is, else the one of that file, packaged name or dictionary. Raises SceneError or GeometryError."""
+    return scene if isinstance(scene, Scene) else load(with_packed_blocks(scene))
 
 
 def with_packed_blocks(tables: Any) -> Any:

@@ -1,5 +1,6 @@
 """The result of a run, as a user holds it: what it says, draws, shows and saves."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,8 @@ from masonry.runtime.tables import html_table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from masonry.ground.spectrum import ResponseSpectrum
 
 PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
 """Each picture of a result, and the method that draws it."""
@@ -57,12 +60,47 @@ class Result(ResultData):
 
         return style.drawn(curve.curve_figure(self), path)
 
-    def picture(self, path: Path | str | None = None) -> "Figure":
+    def picture(
+        self,
+        path: Path | str | None = None,
+        step: str | int | float | None = None,
+        view: str | None = None,
+        scale: float | None = None,
+    ) -> "Figure":
         """Draw the deformed specimen with its cracks: to a .png, .pdf or .svg file, or as a figure that a notebook
-        shows."""
-        from masonry.pictures import crack_picture, style
+        shows.
 
-        return style.drawn(crack_picture.cracks_figure(self), path)
+        step   "peak", "lowest", "last", "first", a number of a step, "0.05 mm", "1.2 s"; without it peak and end
+        view   "front", "back", "side" or "iso"; scale: how many times displacements are drawn
+        """
+        from masonry.pictures import crack_picture, style
+        from masonry.pictures.frame_picture import frame_figure
+
+        if step is None and view is None and scale is None:
+            return style.drawn(crack_picture.cracks_figure(self), path)
+        return style.drawn(frame_figure(self, "peak" if step is None else step, view, scale)[0], path)
+
+    def movie(
+        self,
+        path: Path | str,
+        fps: int | None = None,
+        view: str | None = None,
+        scale: float | None = None,
+        overwrite: bool = False,
+    ) -> Path:
+        """Write a .gif or .mp4 of all frames, cracks beside the curve: see `masonry movie`. Raises SceneError."""
+        from masonry.movies.movie_file import write_movie
+        from masonry.runtime.named_file import require_free
+
+        require_free(Path(path), overwrite)
+        return write_movie(self, path, fps, view, scale)
+
+    def spectra(self, of: Sequence[str] = (), damping: float = 0.05) -> dict[str, "ResponseSpectrum"]:
+        """Response spectra of the ground and of gauges of an acceleration, or of some by name, at a share of critical
+        damping: `.periods` (s), `.pseudo_acceleration` (m/s2). Raises SceneError where there is none."""
+        from masonry.curves.response_spectra import spectra_of
+
+        return {spectrum.name: spectrum.answers for spectrum in spectra_of(self, tuple(of), damping)}
 
     def __repr__(self) -> str:
         return f"Result: {self.title}\n\n{summary_text(self.summary)}"

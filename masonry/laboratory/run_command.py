@@ -37,25 +37,31 @@ def run(words: argparse.Namespace) -> int:
 
 
 def resume(words: argparse.Namespace) -> int:
-    """`masonry resume`: go on from the last checkpoint to the end, with the bits that the run would have had."""
+    """`masonry resume`; returns the exit code."""
+    return resume_in(words.folder, words.threads, words.checkpoint_every, words.quiet)
+
+
+def resume_in(folder: Path, threads: int | None = None, checkpoint_every: str | None = None, quiet: bool = True) -> int:
+    """Go on from the last checkpoint in a folder to the end, with the bits that the run would have had; what is not
+    told is as the run was begun. Returns the exit code. Raises SceneError where there is nothing to go on with."""
     from masonry import scene
     from masonry.runtime.lock import sole
     from masonry.timeloop.checkpoint import Checkpoints
 
-    checkpoints = Checkpoints(words.folder)
+    checkpoints = Checkpoints(folder)
     if not checkpoints.scene.is_file():
-        return _nothing_to_resume(words.folder)
-    with interruptible() as interrupts, sole(words.folder, "resumes the run in it"):
+        return _nothing_to_resume(folder, quiet)
+    with interruptible() as interrupts, sole(folder, "resumes the run in it"):
         if not checkpoints.scene.is_file():  # done by another process meanwhile
-            return _nothing_to_resume(words.folder)
+            return _nothing_to_resume(folder, quiet)
         checkpoints.sweep_up()
         how = checkpoints.how()
         begun = how.get("threads")
-        threads = words.threads or (min(begun, processors()) if isinstance(begun, int) and begun > 0 else 1)
+        threads = threads or (min(begun, processors()) if isinstance(begun, int) and begun > 0 else 1)
         before = how.get("checkpoint_every")
-        every = _every(words.checkpoint_every, before if isinstance(before, float) and before > 0 else EVERY)
+        every = _every(checkpoint_every, before if isinstance(before, float) and before > 0 else EVERY)
         loaded = scene.load(checkpoints.scene)
-        going = _Run(loaded, checkpoints, threads, every, interrupts, words.quiet)
+        going = _Run(loaded, checkpoints, threads, every, interrupts, quiet)
         going.find_checkpoint()
         return going.carry_out(loaded.name)
 
@@ -167,7 +173,7 @@ class _Run:
         return f"resume with: masonry resume {self.out}"
 
 
-def _nothing_to_resume(folder: Path) -> int:
+def _nothing_to_resume(folder: Path, quiet: bool) -> int:
     """Why there is nothing to go on from: it is done, or it cannot be."""
     from masonry.runtime.text_files import json_of
 
@@ -187,7 +193,8 @@ def _nothing_to_resume(folder: Path) -> int:
         )
     if interrupted:
         raise SceneError(f"the run in '{folder}' was interrupted and kept no checkpoint; run its scene.toml again")
-    print(f"the run in '{folder}' is finished")
+    if not quiet:
+        print(f"the run in '{folder}' is finished")
     return OK
 
 

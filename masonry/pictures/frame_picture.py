@@ -12,6 +12,8 @@ from masonry.results.frame_choice import choose
 from masonry.runtime.named_file import require_picture
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from masonry.results.data import ResultData
 
 
@@ -33,11 +35,19 @@ def draw_frame(
     """
     path = Path(path)
     require_picture(path)
+    figure, note = frame_figure(result, step, view, times)
+    with whole_file(path) as beside:
+        write_picture(figure, beside)
+    return note
+
+
+def frame_figure(
+    result: "ResultData", step: str | int | float = "peak", view: str | None = None, times: float | None = None
+) -> tuple["Figure", str]:
+    """The figure of `draw_frame`, and its sentence."""
     if view is not None and view not in VIEWS:
         raise SceneError(f"view '{view}'; {nearest(view, VIEWS)}")
     chosen = choose(result, step)
     figure = gallery([(chosen.name, result, chosen.frame)], 1, view, times)
     figure.suptitle(plain(result.title), fontsize=13, wrap=True)
-    with whole_file(path) as beside:
-        write_picture(figure, beside)
-    return chosen.note
+    return figure, chosen.note

@@ -70,7 +70,7 @@ def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(packag
         (["bilinea"], "did you mean 'bilinear'"),
         (["linear", "--set", "cohesion"], "write KEY=VALUE"),
         (["linear", "--set", "cohesion=1 m"], "cohesion is a stress"),
-        (["linear", "--plot", "x.pdf"], "nearest: 'x.png'"),
+        (["linear", "--plot", "x.gif"], "nearest: 'x.png'"),
         (["--plot"], "go with the NAME of a law"),
     ],
 )

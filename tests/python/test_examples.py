@@ -14,14 +14,20 @@ def test_these_are_the_functions_that_a_user_has():
     assert FUNCTIONS == [
         "check",
         "contact",
+        "export",
+        "import_blocks",
+        "law",
         "limit",
         "load",
         "load_result",
         "modes",
+        "record",
+        "resume",
         "run",
         "scenes",
         "sensitivity",
         "sweep",
+        "verify",
         "write_blocks",
     ]
 

@@ -1,0 +1,1 @@
+"""What commands of the shell do, as functions: `masonry` hands them on."""

@@ -1,0 +1,155 @@
+"""Functions of `masonry` that do what a command of the shell does, by the same code; each is small."""
+
+import importlib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from masonry.drawings.law_command import LawReport
+    from masonry.ground.made_record import MadeRecord
+    from masonry.importing.report import ImportReport
+    from masonry.laboratory.result import Result
+    from masonry.scene import Scene
+
+    SceneLike = Scene | str | Path | Mapping[str, Any]
+
+VERIFICATION = "verification.command"
+"""It stands on a floor above `masonry`, and is looked up when it is called."""
+
+
+def import_blocks(
+    source: str | Path, out: str | Path | None = None, overwrite: bool = False, **words: Any
+) -> "ImportReport":
+    """Blocks and a scene from CAD, surfaces, COMPAS, Neper or meshes: see docs/import.md for what is read.
+
+    out    the scene to write, NAME.toml, with its blocks beside it; without it the blocks stand in the scene itself
+    words  as of `masonry import`: unit="mm", tolerance="0.1 mm", gap="5 mm", up="y", groups={"brick*": "units"}, ...
+    What comes back prints as the command does; `.scene`, `.specimen`, `.joints`, `.notes`. Raises SceneError or
+    GeometryError; then nothing is written.
+
+    >>> dome = masonry.import_blocks("dome.obj", gap="5 mm")  # ships with the program
+    >>> dome.specimen.blocks.count, len(dome.joints.patch_start) - 1
+    (90, 250)
+    """
+    from masonry.importing.import_words import settings_of
+    from masonry.importing.importing import import_file
+    from masonry.laboratory.arguments import flag, path
+
+    target = None if out is None else path("out", out)
+    return import_file(path("source", source), target, settings_of(words), flag("overwrite", overwrite))
+
+
+def export(scene: "SceneLike", to: str | Path, overwrite: bool = False) -> Path:
+    """Write the blocks of a scene for other programs: a .step, .obj, .stl, .msh or .vtu file, with tets where it has
+    them. Raises SceneError or GeometryError; then nothing is written.
+
+    >>> masonry.export("couplet", "couplet.step").name
+    'couplet.step'
+    """
+    from masonry.laboratory.arguments import flag, path
+
+    target = path("to", to)
+    write_export(scene, target, flag("overwrite", overwrite))
+    return target
+
+
+def write_export(scene: "SceneLike", to: Path, overwrite: bool) -> int:
+    """See `export`; returns how many blocks were written."""
+    from geometry.files.export import export as write
+    from geometry.files.export import require_suffix
+    from masonry.assembly.assemble import joined, meshed
+    from masonry.importing.handed_blocks import scene_of
+    from masonry.runtime.named_file import require_free
+
+    require_suffix(to)
+    require_free(to, overwrite)
+    loaded = scene_of(scene)
+    specimen, joints = joined(loaded)
+    write(to, specimen, meshed(loaded, specimen.blocks, joints)[0])
+    return specimen.blocks.count
+
+
+def resume(folder: str | Path, threads: int | None = None) -> "Result":
+    """Go on with a run of `masonry run` that was interrupted or killed, from its last checkpoint to its end.
+
+    Its results are written to the folder; of a run that is finished they are read. Raises SceneError, or Stopped.
+
+    >>> files = masonry.run(masonry.load("couplet", {"drive.accuracy": "10 %"})).save("done")
+    >>> print(f"{masonry.resume('done').peak.stress / 1e6:.2f} MPa")
+    1.37 MPa
+    """
+    from masonry.errors import Stopped
+    from masonry.laboratory.arguments import path, whole
+    from masonry.laboratory.result import load_result
+    from masonry.laboratory.run_command import resume_in
+    from masonry.runtime.processors import processors
+    from masonry.runtime.shell import STOPPED
+
+    place = path("folder", folder)
+    number = None if threads is None else whole("threads", threads, 1, processors(), "a number of threads")
+    code = resume_in(place, number)
+    result = load_result(place)
+    if code == STOPPED:
+        stop = Stopped(str(result.summary.stopped))
+        stop.result = result
+        raise stop
+    return result
+
+
+def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path | None = None) -> "LawReport":
+    """What a law does of a contact: its parameters, energies as they are measured, what it refuses.
+
+    settings  keys of the contact, {"cohesion": "0.6 MPa"}; the others are those of the couplet and the law's examples
+    plot      a .png file to draw it to
+    It prints as `masonry law` does; `.portrait` has the curves. Raises SceneError.
+
+    >>> linear = masonry.law("linear", {"fracture_energy_mode_1": "10 N/m"})
+    >>> print(f"{linear.portrait.mode_1.beyond:.2f} N/m")
+    10.00 N/m
+    """
+    from masonry.drawings.law_command import report_of
+    from masonry.laboratory.arguments import path
+
+    report = report_of(name, [f"{key}={value}" for key, value in (settings or {}).items()])
+    if plot is not None:
+        report.draw(path("plot", plot))
+    return report
+
+
+def record(
+    to: str | Path | None = None, components: int = 1, overwrite: bool = False, **keys: Any
+) -> dict[str, "MadeRecord"]:
+    """Records of the ground made by seed, by component: `.time` (s), `.acceleration` (m/s2), `.spectrum`, `.target`.
+
+    to    a .csv file to write, which a scene names as ground.record
+    keys  of [ground.made] in a scene: spectrum, soil, a_g, duration, seed, ...
+    Raises SceneError.
+
+    >>> made = masonry.record(spectrum="eurocode-8-1", soil="B", a_g="0.2 g", duration="20 s", seed=1)
+    >>> list(made), made["x"].mismatch < 0.1
+    (['x'], True)
+    """
+    from masonry.curves.record_command import made_records, require_csv, write_records
+    from masonry.laboratory.arguments import flag, path
+
+    target = None if to is None else path("to", to)
+    if target is not None:
+        require_csv(target, flag("overwrite", overwrite))
+    records = made_records(keys, components)
+    if target is not None:
+        write_records(target, records)
+    return records
+
+
+def verify(*cases: str, full: bool = False, workers: int = 2, tell: Callable[[str], None] | None = None) -> Any:
+    """Run cases with known answers, by name; without any the quick ones, with `full` all. It prints as
+    `masonry verify` does; `.holds`, `.outcomes`. Raises SceneError.
+
+    workers  processes; 0: all in this one, which scripts need not guard
+    tell     is called with a line for each case that ends
+
+    >>> masonry.verify("incline", workers=0).holds
+    True
+    """
+    return importlib.import_module(VERIFICATION).verify(cases, full, workers, tell)
