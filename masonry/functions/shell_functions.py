@@ -105,7 +105,7 @@ def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path |
     It prints as `masonry law` does; `.portrait` has the curves. Raises SceneError.
 
     >>> linear = masonry.law("linear", {"fracture_energy_mode_1": "10 N/m"})
-    >>> print(f"{linear.portrait.mode_1.beyond:.2f} N/m")
+    >>> print(f"{linear.portrait.mode_1.whole:.2f} N/m")
     10.00 N/m
     """
     from masonry.drawings.law_command import report_of
@@ -120,15 +120,15 @@ def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path |
 def record(
     to: str | Path | None = None, components: int = 1, overwrite: bool = False, **keys: Any
 ) -> dict[str, "MadeRecord"]:
-    """Records of the ground made by seed, by component: `.time` (s), `.acceleration` (m/s2), `.spectrum`, `.target`.
+    """Records of the ground made by seed, by name of the component: `.time` (s), `.acceleration` (m/s2), `.spectrum`, `.target`.
 
     to    a .csv file to write, which a scene names as ground.record
     keys  of [ground.made] in a scene: spectrum, soil, a_g, duration, seed, ...
     Raises SceneError.
 
     >>> made = masonry.record(spectrum="eurocode-8-1", soil="B", a_g="0.2 g", duration="20 s", seed=1)
-    >>> list(made), made["x"].mismatch < 0.1
-    (['x'], True)
+    >>> list(made), made["first"].mismatch < 0.1
+    (['first'], True)
     """
     from masonry.curves.record_command import made_records, require_csv, write_records
     from masonry.laboratory.arguments import flag, path
