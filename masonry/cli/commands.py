@@ -45,8 +45,8 @@ def import_blocks(words: argparse.Namespace) -> int:
     from masonry.importing.import_words import OTHERS, QUANTITIES, settings_of
     from masonry.importing.importing import import_file
 
-    told = {word: getattr(words, word) for word in (*QUANTITIES, *OTHERS)}
-    print(import_file(words.file, words.out, settings_of(told, "--"), words.overwrite))
+    options = {word: getattr(words, word) for word in (*QUANTITIES, *OTHERS)}
+    print(import_file(words.file, words.out, settings_of(options, "--"), words.overwrite))
     return OK
 
 

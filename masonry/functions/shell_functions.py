@@ -120,7 +120,7 @@ def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path |
 def record(
     to: str | Path | None = None, components: int = 1, overwrite: bool = False, **keys: Any
 ) -> dict[str, "MadeRecord"]:
-    """Records of the ground made by seed, by name of the component: `.time` (s), `.acceleration` (m/s2), `.spectrum`, `.target`.
+    """Records of the ground made by seed, by component: `.time` (s), `.acceleration` (m/s2), `.spectrum`, `.target`.
 
     to    a .csv file to write, which a scene names as ground.record
     keys  of [ground.made] in a scene: spectrum, soil, a_g, duration, seed, ...

@@ -1,6 +1,7 @@
 """The scene that `masonry import` writes: it runs as it is, with placeholders for what a file does not hold."""
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,12 +80,6 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
     contacts = contact_groups(specimen.blocks, joints)[0] or (_possible(specimen.blocks.groups[0]),)
     spans = np.intersect1d(specimen.sets["bottom"], specimen.sets["top"])
     has_weight = how.is_dry or len(spans) > 0
-    loading = DRY_WEIGHT if how.is_dry else WEIGHT if has_weight else PRESS
-    if SUPPORT in specimen.sets:
-        loading = loading.replace('on = "bottom"', f'on = "{SUPPORT}"', 1)
-    invented = [f"material.{group}" for group in specimen.blocks.groups]
-    invented += [f"contact.{name}" for name in contacts]
-    invented += ["law", *["support"] * (SUPPORT not in specimen.sets), "gravity" if has_weight else "drive"]
     lines = [
         f"title = {_quoted(how.source)}",
         'law = "friction"                  # dry joints' if how.is_dry else 'law = "exponential"',
@@ -102,15 +97,25 @@ def scene_text(specimen: Specimen, joints: Joints, how: Written) -> str:
     for name in contacts:
         stiff = name == "plate" or name.startswith("within_")
         lines += [f"[contact.{_key(name)}]", STIFF if stiff else DRY_JOINT if how.is_dry else JOINT]
-    lines += [loading, "[assumptions]"]
-    lines += [f"{_quoted(key)} = {_quoted(INVENTED)}" for key in invented]
+    loading = DRY_WEIGHT if how.is_dry else WEIGHT if has_weight else PRESS
+    if SUPPORT in specimen.sets:
+        loading = loading.replace('on = "bottom"', f'on = "{SUPPORT}"', 1)
+    return "\n".join([*lines, loading, *_assumptions(specimen, contacts, how, has_weight)]) + "\n"
+
+
+def _assumptions(specimen: Specimen, contacts: Sequence[str], how: Written, has_weight: bool) -> list[str]:
+    """Lines of the table that says what the file does not hold."""
+    invented = [f"material.{group}" for group in specimen.blocks.groups]
+    invented += [f"contact.{name}" for name in contacts]
+    invented += ["law", *["support"] * (SUPPORT not in specimen.sets), "gravity" if has_weight else "drive"]
+    lines = ["[assumptions]", *(f"{_quoted(key)} = {_quoted(INVENTED)}" for key in invented)]
     if specimen.joints is not None:
         widest = specimen.joints.gap.max(initial=0.0) * 1e3
         words = f"joints bridge gaps of up to {widest:.3g} mm, half way between blocks that only nearly meet"
         lines.append(f'"specimen.{"content" if how.content else "path"}" = {_quoted(words)}')
     if how.section_is != ASKED:
         lines.append(f'"specimen.section" = {_quoted(f"the import took {how.section_is}")}')
-    return "\n".join(lines) + "\n"
+    return lines
 
 
 def _possible(group: str) -> str:

@@ -14,28 +14,28 @@ if TYPE_CHECKING:
     from masonry.scene import Scene
 
 
-class Strength(NamedTuple):
+class TensileStrength(NamedTuple):
     """Pa: as a scene has it, and as its law takes it."""
 
-    told: float
-    used: float
+    of_scene: float
+    of_law: float
 
     @property
     def is_cut(self) -> bool:
         """Whether the law takes less than it was told."""
-        return self.used < self.told
+        return self.of_law < self.of_scene
 
 
-def _tensile_strengths(scene: "Scene") -> dict[str, Strength]:
+def _tensile_strengths(scene: "Scene") -> dict[str, TensileStrength]:
     """The strengths of contacts in tension: cut at the apex of the Coulomb line, 0 where next to nothing."""
     from masonry.laws.building.factory import properties_of, tensile_strength
 
     strengths = {}
     for group, contact in scene.contact.items():
-        values, told = contact.properties(), contact.tensile_strength
+        values, strength = contact.properties(), contact.tensile_strength
         reads = "tensile_strength" in properties_of(contact.law)
-        if reads and told is not None and None not in (values["cohesion"], values["tan_friction"]):
-            strengths[f"contact.{group}.tensile_strength"] = Strength(told, tensile_strength(values))
+        if reads and strength is not None and None not in (values["cohesion"], values["tan_friction"]):
+            strengths[f"contact.{group}.tensile_strength"] = TensileStrength(strength, tensile_strength(values))
     return strengths
 
 
@@ -53,7 +53,7 @@ class Job:
     label: str = ""
 
     @cached_property
-    def _loaded(self) -> tuple[str, dict[str, "Strength"]]:
+    def _loaded(self) -> tuple[str, dict[str, "TensileStrength"]]:
         from masonry.scene import Scene, changed, load, to_toml
 
         of, settings = self.scene, self.settings
@@ -66,7 +66,7 @@ class Job:
         return self._loaded[0]
 
     @property
-    def tensile_strengths(self) -> dict[str, "Strength"]:
+    def tensile_strengths(self) -> dict[str, "TensileStrength"]:
         """By dotted key, those of its contacts whose law reads them."""
         return self._loaded[1]
 

@@ -73,7 +73,7 @@ def listing(planned: Sequence[Planned]) -> str:
 
     def words(run: Planned, key: str, value: Any) -> str:
         strength = run.job.tensile_strengths.get(key)
-        used = f" ({strength.used:.4g} Pa used)" if strength is not None and strength.is_cut else ""
+        used = f" ({strength.of_law:.4g} Pa used)" if strength is not None and strength.is_cut else ""
         return f"{key} = {value!r:.60}{used}"
 
     rows = (visible("  ".join(words(run, *pair) for pair in run.values.items())) for run in planned)

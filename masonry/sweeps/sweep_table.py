@@ -39,7 +39,7 @@ def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
                 if unit:
                     row[f"{key} [{unit}]"] = number
         used = run.job.tensile_strengths
-        row |= {f"{key} used [Pa]": used[key].used for key in sorted(cut) if key in used}
+        row |= {f"{key} used [Pa]": used[key].of_law for key in sorted(cut) if key in used}
         rows.append(row)
     return rows
 

@@ -22,6 +22,7 @@ def test_these_are_the_functions_that_a_user_has():
         "load_result",
         "modes",
         "record",
+        "report",
         "resume",
         "run",
         "scenes",

@@ -16,7 +16,7 @@ from masonry.errors import SceneError
 from masonry.sweeps import engine, point_checks
 from masonry.sweeps.job import Job
 from masonry.sweeps.pictures.sweep_map import map_figure
-from masonry.sweeps.pictures.varied_keys import varied
+from masonry.sweeps.pictures.varied_keys import keys_that_vary
 from masonry.sweeps.planned_runs import Planned, plan
 from masonry.sweeps.read import sweep_of_tables
 from tests.python.test_scenes_of_tables import NAMED
@@ -207,4 +207,4 @@ def test_a_map_of_samples_has_points_in_units_that_people_read():
     [(["1 kPa"], [0.7], 0), (["1 kPa"], [0.7, 0.8], 1), (["1 kPa", "2 kPa"], ["a", "b"], 2)],
 )
 def test_keys_that_do_not_vary_are_no_axes(first, second, count):
-    assert len(varied(grid(first, second))) == count
+    assert len(keys_that_vary(grid(first, second))) == count

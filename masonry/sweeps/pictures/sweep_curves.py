@@ -14,7 +14,7 @@ from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
 from masonry.runtime.text_files import text_of
 from masonry.sweeps.job import short_text
-from masonry.sweeps.pictures.varied_keys import varied as varied_keys
+from masonry.sweeps.pictures.varied_keys import keys_that_vary
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.sweep_table import swept
@@ -88,7 +88,7 @@ def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
         return "", []
     first = max(varied, key=lambda name: _differing(varied[name]))
     together = {tuple(map(str, pairs)) for pairs in zip(*varied.values(), strict=True)}
-    if len(varied_keys(planned)) == 1:
+    if len(keys_that_vary(planned)) == 1:
         return first, varied[first]
     if len(together) > FEW:
         return f"{first} (other keys vary too)", varied[first]

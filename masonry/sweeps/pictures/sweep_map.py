@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
-from masonry.sweeps.pictures.varied_keys import VariedKey, varied
+from masonry.sweeps.pictures.varied_keys import VariedKey, keys_that_vary
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK
@@ -42,7 +42,7 @@ def map_figure(title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "
     """The map; None where not just two keys vary, or no run has anything to show."""
     from matplotlib.figure import Figure
 
-    axes_of_map = varied(planned)
+    axes_of_map = keys_that_vary(planned)
     measure = next(
         (m for m in MEASURES if any(row["status"] == OK and row.get(m[0]) is not None for row in rows)), None
     )

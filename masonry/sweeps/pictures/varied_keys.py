@@ -23,7 +23,7 @@ class VariedKey(NamedTuple):
         return list(dict.fromkeys(text for _, text in sorted(zip(numbers, self.texts, strict=True))))
 
 
-def varied(planned: Sequence[Planned]) -> list[VariedKey]:
+def keys_that_vary(planned: Sequence[Planned]) -> list[VariedKey]:
     """The keys that vary; of those that change together the first."""
     rows = swept(planned)
     axes: list[VariedKey] = []
