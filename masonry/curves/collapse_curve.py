@@ -45,12 +45,12 @@ def is_collapse_curve(result: "ResultData") -> bool:
 
 
 def collapse_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi: the load factor over displacements; the energy ledger below it."""
+    """A figure of 1200 x 960 pixels: the load factor over displacements; the energy ledger below it."""
     from masonry.pictures.figure import ShownFigure
 
     grown = result.summary.collapse_load
     assert grown is not None, "a load grew"
-    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 6), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
     for axes in (curve, ledger):

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def curve_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi: stress at drive and support over the ledger; loops and cycles
+    """A figure of 1200 x 960 pixels: stress at drive and support over the ledger; loops and cycles
     of a drive that turns back; movements and reactions where there is none; gauges over the time; the load factor
     where a gauge was led."""
     if len(result.history.rows.get("step", ())) and is_over_time(result):
@@ -38,7 +38,7 @@ def curve_figure(result: "ResultData") -> Any:
         return settling_figure(result)
     from masonry.pictures.figure import ShownFigure
 
-    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 6), layout="constrained")
     curve, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
     ledger.set_ylabel("energy [J]")

@@ -55,11 +55,11 @@ def loops_of(result: "ResultData") -> Loops:
 
 
 def hysteresis_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 1080 pixels at 120 dpi: loops on top; ledger over the way to and fro, and bars, below; their
+    """A figure of 1200 x 1120 pixels: loops on top; ledger over the way to and fro, and bars, below; their
     key under both."""
     from masonry.pictures.figure import ShownFigure
 
-    figure = ShownFigure(figsize=(10, 9), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 7), layout="constrained")
     loops, ledger, bars = figure.subplot_mosaic([["loops", "loops"], ["ledger", "bars"]], height_ratios=[3, 2]).values()
     heading(figure, result)
     drawn = loops_of(result)

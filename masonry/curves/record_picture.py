@@ -19,7 +19,7 @@ def record_figure(title: str, motion: Motion, spectrum: ResponseSpectrum, target
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(12, 7), layout="constrained")
+    figure = Figure(figsize=(9, 5.5), layout="constrained")
     panels = figure.subplot_mosaic([["a", "s"], ["v", "s"], ["d", "s"]], width_ratios=[3, 2])
     figure.suptitle(plain(title), fontsize=12)
     lines = {
@@ -32,7 +32,7 @@ def record_figure(title: str, motion: Motion, spectrum: ResponseSpectrum, target
         axes.plot(motion.time, values, color=BLUE, linewidth=0.9)
         most = np.abs(values).argmax()
         axes.plot(motion.time[most], values[most], "o", color=RED, markersize=4)
-        axes.annotate(f" {values[most]:.3g}", (motion.time[most], values[most]), fontsize=9, color=RED)
+        _label_peak(axes, motion.time, values, int(most))
         axes.set_ylabel(label)
     panels["d"].set_xlabel("time [s]")
     _draw_spectrum(panels["s"], spectrum, target)
@@ -40,6 +40,22 @@ def record_figure(title: str, motion: Motion, spectrum: ResponseSpectrum, target
         axes.grid(color="0.9", linewidth=0.8)
         axes.spines[["top", "right"]].set_visible(False)
     return figure
+
+
+def _label_peak(axes: Any, time: np.ndarray, values: np.ndarray, most: int) -> None:
+    """The largest value beside its dot, to the side where the picture has room."""
+    late = time[most] > 0.7 * time[-1]
+    axes.annotate(
+        f"{values[most]:.3g}",
+        (time[most], values[most]),
+        xytext=(-5 if late else 5, 0),
+        textcoords="offset points",
+        ha="right" if late else "left",
+        va="center",
+        fontsize=10,
+        color=RED,
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
+    )
 
 
 def _draw_spectrum(axes: Any, spectrum: ResponseSpectrum, target: np.ndarray | None) -> None:

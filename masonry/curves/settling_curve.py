@@ -26,11 +26,11 @@ COLOURS = ("#1f3b5c", "#e07b00", "#2f7d5b", "#8856a7")
 
 
 def settling_figure(result: "ResultData") -> Any:
-    """A figure of 1200 x 960 pixels at 120 dpi, over the steps, or the time: displacements, with the reactions at the
+    """A figure of 1200 x 960 pixels, over the steps, or the time: displacements, with the reactions at the
     end above them, and the energy ledger."""
     from masonry.pictures.figure import ShownFigure
 
-    figure = ShownFigure(figsize=(10, 8), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 6), layout="constrained")
     moved, ledger = figure.subplots(2, 1, sharex=True, height_ratios=[3, 2])
     heading(figure, result)
     rows = result.history.rows

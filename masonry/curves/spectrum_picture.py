@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 def spectra_figure(result: "ResultData", spectra: list[GaugeSpectrum]) -> Any:
-    """A figure of 1200 x 720 pixels at 120 dpi; grey where the rows of the run show no motion so fast."""
+    """A figure of 1200 x 720 pixels; grey where the rows of the run show no motion so fast."""
     from masonry.pictures.figure import ShownFigure
 
-    figure = ShownFigure(figsize=(10, 6), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 4.5), layout="constrained")
     axes = figure.subplots()
     figure.suptitle(plain(result.title), fontsize=13, wrap=True)
     tidy(axes)

@@ -74,12 +74,12 @@ def time_label(result: "ResultData") -> str:
 
 
 def time_figure(result: "ResultData") -> Any:
-    """A figure of 1200 pixels in width at 120 dpi, over the time: a panel for each quantity, the energy ledger."""
+    """A figure of 1200 pixels in width, over the time: a panel for each quantity, the energy ledger."""
     from masonry.pictures.figure import ShownFigure
 
     lines = time_lines(result)
     units = [unit for unit in SHOWN if any(line.unit == unit for line in lines)]
-    figure = ShownFigure(figsize=(10, 3.0 + 2.5 * len(units)), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 2.3 + 1.9 * len(units)), layout="constrained")
     *panels, ledger = np.atleast_1d(figure.subplots(len(units) + 1, 1, sharex=True))
     heading(figure, result)
     for axes in (*panels, ledger):

@@ -21,7 +21,7 @@ from masonry.pictures.style import plain, write_picture
 from masonry.runtime.named_file import require_picture
 from masonry.scene import Scene
 
-WIDTH = 11.0
+WIDTH = 9.0
 """Of the picture, inches."""
 IN_SPACE = ("vault", "dome", "multi-leaf")
 """Shapes of specimens that the front does not show."""
@@ -93,7 +93,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max
     drawn = (WIDTH - 1.2) * float((high[1] - low[1]) / (high[0] - low[0]))
-    figure.set_size_inches(WIDTH, min(max(drawn, 1.5), 10.0) + 1.5 + 0.2 * rows)
+    figure.set_size_inches(WIDTH, min(max(drawn, 1.5), 8.0) + 1.5 + 0.2 * rows)
     return figure
 
 

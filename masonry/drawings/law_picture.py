@@ -29,7 +29,7 @@ def law_figure(name: str, portrait: Portrait) -> Any:
     from matplotlib.figure import Figure
 
     crushes = portrait.crushing
-    figure = Figure(figsize=(11 if crushes is None else 16, 8), layout="constrained")
+    figure = Figure(figsize=(8.5 if crushes is None else 12.5, 6.5), layout="constrained")
     panels = figure.subplots(2, 2 if crushes is None else 3, height_ratios=[3, 2])
     for column in (0, 1):
         panels[0, column].sharex(panels[1, column])

@@ -12,7 +12,7 @@ from masonry.pictures.hidden_surfaces import Piece, hidden
 COLOURS = {"support": "#1e7a4c", "drive": "#c0392b", "traction": "#1f5fa8"}
 ARROW = 0.09
 """Length of an arrow over the size of the picture."""
-LETTER = 0.013
+LETTER = 0.016
 """Width of a letter of the words at an arrow over the size of the picture, with some to spare."""
 PAPER = {"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.5}
 """Behind words, so that they can be read on joints and hatching."""

@@ -19,7 +19,7 @@ MOST_IN_A_ROW = 6
 """Of longer rows of numbered names the first and the last are written."""
 OUT = 0.055
 """How far the edges with coordinates stand from the specimen, over its size."""
-AWAY = 0.21
+AWAY = 0.25
 """How far names stand from the box round the specimen, over the size of the picture."""
 
 
@@ -58,7 +58,7 @@ def draw_sets(
                 arrowprops={"arrowstyle": "-", "color": "0.45", "lw": 0.7, "shrinkB": 0},
             )
             axes.plot(*anchor, "o", ms=3, color="0.3", zorder=9)
-            axes.update_datalim([(x + (0.2 if to_right else -0.2) * size, level)])
+            axes.update_datalim([(x + (0.24 if to_right else -0.24) * size, level)])
 
 
 def _shown(names: Iterable[str]) -> list[str]:
@@ -163,7 +163,7 @@ def _draw_edge(
     out = camera.project(outward)
     out = out / np.linalg.norm(out)
     span = high[axis] - low[axis]
-    ticks = _ticks(low[axis], high[axis], max(1, min(7, round(9 * span / size))))
+    ticks = _ticks(low[axis], high[axis], max(1, min(6, round(7 * span / size))))
     ticks = ticks[-1:] if span < 0.05 * size else ticks
     along = np.eye(3)[axis]
     ends = np.array([camera.project(start + s * span * along) + away * size * out for s in (0.0, 1.0)])
@@ -171,7 +171,7 @@ def _draw_edge(
     for tick in ticks:
         at = camera.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
-        axes.annotate(f"{tick:.6g}", at + 0.03 * size * out, ha="center", va="center", fontsize=8, color="0.2")
-    name = ends.mean(axis=0) + (0.08, 0.12)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
+        axes.annotate(f"{tick:.6g}", at + 0.042 * size * out, ha="center", va="center", fontsize=8, color="0.2")
+    name = ends.mean(axis=0) + (0.11, 0.15)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
     axes.annotate(f"{'xyz'[axis]} [mm]", name, ha="center", va="center", fontsize=9)
     axes.update_datalim([name + 0.03 * size * out])

@@ -16,7 +16,7 @@ from masonry.pictures.style import plain
 from masonry.pictures.thrust_line import COLOUR, ROW, row_of
 from masonry.results.joint_resultants import UnitJoints, unit_joints
 
-WIDTH = 9.0
+WIDTH = 6.75
 """Of a picture, inches."""
 SHOWN = 0.06
 """Displacement of the fastest corner in the picture, over the size of the specimen."""
@@ -133,5 +133,5 @@ def _fitted(figure: Any, axes: Any) -> Any:
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max
     aspect = float((high[1] - low[1]) / max(high[0] - low[0], 1e-300))
-    figure.set_size_inches(WIDTH, min(max((WIDTH - 0.5) * aspect, 1.5), 11.0) + 1.0)
+    figure.set_size_inches(WIDTH, min(max((WIDTH - 0.5) * aspect, 1.5), 8.5) + 0.9)
     return figure

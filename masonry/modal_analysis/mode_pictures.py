@@ -19,7 +19,7 @@ SWING = 0.08
 """Displacement of the farthest corner in the picture, over the size of the specimen."""
 MANY = 300
 """Blocks beside which the gaps between them are too thin to look into: faces in joints are then left out."""
-WIDTH = 4.2
+WIDTH = 3.3
 """Of one mode, inches."""
 
 
@@ -90,7 +90,7 @@ def _fit(figure: Any, panels: np.ndarray, rows: int, across: int, camera: Camera
     low, high = panels[0].dataLim.min, panels[0].dataLim.max
     aspect = float((high[1] - low[1]) / max(high[0] - low[0], 1e-300))
     width = WIDTH if aspect < 2.0 else 0.6 * WIDTH
-    figure.set_size_inches(max(width * across, 5.0), rows * (min(max(width * aspect, 1.2), 9.0) + 0.6) + 0.8)
+    figure.set_size_inches(max(width * across, 4.0), rows * (min(max(width * aspect, 1.0), 7.0) + 0.6) + 0.7)
 
 
 def _axis_word(direction: np.ndarray) -> str:

@@ -32,6 +32,9 @@ MOST = 1000.0
 """How many times displacements are drawn at most: what a wall that stands gives way looks like a collapse else."""
 LITTLE = 4.0
 """How many times larger displacements are drawn at least, if they are: a hundredth of the size shows as it is."""
+WIDTHS, BARS = (6.75, 8.4, 10.5), 1.8
+"""Inches, of a picture of one panel, of two, and of more columns; and of what stands beside them."""
+NEXT_LINE = "\n"
 BESIDE = 0.3
 """Height over length above which two panels stand beside each other."""
 
@@ -103,8 +106,8 @@ def gallery(
     ratio = max((_ratio(drawing) for drawing in shown), default=1.0)
     columns = max(min(columns or (2 if ratio > BESIDE else 1), len(panels)), 1)
     rows = max(-(-len(panels) // columns), 1)
-    width = 14.0 if len(panels) > 1 else 9.0
-    height = rows * min(max((width - 2.6) / columns * ratio + 0.7, 2.4), 10.0) + 0.9
+    width = WIDTHS[min(max(columns, len(panels[:2])), 3) - 1]
+    height = rows * min(max((width - BARS) / columns * ratio + 0.8, 2.0), 8.0) + 1.0
     figure = ShownFigure(figsize=(width, height))
     figure.set_layout_engine("constrained", h_pad=0.08)  # inches, between the title and those of the panels
     axes = list(np.atleast_1d(figure.subplots(rows, columns)).ravel())
@@ -121,9 +124,9 @@ def gallery(
         frame_axes(one, _box(drawing))
         if result.is_large:
             draw_scale_bar(one)
-        title = panel_title(result, name, frame, larger, narrow=columns > 2)
-        title += "" if len(lines.opening) else f", no crack of {NARROW * MILLI:g} mm"
-        one.set_title(title, fontsize=10 if columns > 2 else 11)
+        title = panel_title(result, name, frame, larger, narrow=columns > 1)
+        title += "" if len(lines.opening) else f"{', ' if columns == 1 else NEXT_LINE}no crack of {NARROW * MILLI:g} mm"
+        one.set_title(title, fontsize=10)
     thrusts = [
         line for drawing, (_, _, frame) in zip(shown, panels, strict=True) for line in thrusts_of(drawing, [frame])
     ]

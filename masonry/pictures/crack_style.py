@@ -23,7 +23,7 @@ CRUSHED = "#d01c8b"
 """The colour of joints that crushed: they closed for good."""
 LEAST_SCALE = 1e-5
 """Openings (m) smaller than this one are drawn thin, as there is no larger one."""
-THIN, THICK = 0.9, 4.6
+THIN, THICK = 0.8, 3.8
 """Widths of a line in points: where the faces have hardly moved apart, and where they did by the scale of the
 picture."""
 

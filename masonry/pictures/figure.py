@@ -4,7 +4,7 @@ from io import BytesIO
 
 from matplotlib.figure import Figure
 
-DPI = 80
+DPI = 107
 
 
 class ShownFigure(Figure):

@@ -71,7 +71,7 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
         axes.add_collection(
             PolyCollection(polygons, facecolors=fills, edgecolors="#a09a90", linewidths=0.35, zorder=depth)
         )
-        axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=1.0, zorder=depth + 0.005))
+        axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=0.8, zorder=depth + 0.005))
 
 
 def group_colours(groups: tuple[str, ...]) -> list[str]:

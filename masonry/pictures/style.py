@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 MILLI, MEGA = 1e3, 1e-6
+DPI = 160.0
+"""Points of a picture an inch. Letters of 10 points on 7 inches can be read where it is 400 points wide."""
 VECTORS = (".pdf", ".svg")
 
 
@@ -32,7 +34,7 @@ def write_picture(figure: Any, path: Path | str) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas = FigureCanvasAgg(figure)
-    figure.set_dpi(120.0)
+    figure.set_dpi(DPI)
     if (engine := figure.get_layout_engine()) is not None:
         engine.execute(figure)
         figure.set_layout_engine("none")

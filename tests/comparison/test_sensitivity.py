@@ -55,11 +55,15 @@ def test_the_table_stands_in_three_forms_and_the_picture_beside_it(done):
     assert repr(done).splitlines()[0].split("  ")[0] == "run" and "as it is" in repr(done)
 
 
-def test_the_picture_has_a_curve_and_a_line_of_the_legend_for_each_run_and_units(done):
-    axes = figure_of("Couplet", done.folder, done.rows).axes[0]
+def test_the_picture_has_a_curve_and_a_line_of_its_own_for_each_run_and_units(done):
+    axes, moved = figure_of("Couplet", done.folder, done.rows).axes
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("displacement [mm]", "stress [MPa]")
-    labels = [text.get_text() for text in axes.get_legend().get_texts()]
-    assert labels == [row["variant"] for row in done.rows]
+    assert [text.get_text() for text in moved.get_yticklabels()] == [row["variant"] for row in done.rows]
+    dots = [line for line in moved.get_lines() if line.get_marker() == "o"]
+    expected = [100.0 * row["peak_stress_pa_deviation"] for row in done.rows]
+    assert [dot.get_xdata()[0] for dot in dots] == pytest.approx(expected)
+    assert [dot.get_ydata()[0] for dot in dots] == list(range(len(done.rows))), "no two lie on each other"
+    assert moved.get_xlim()[0] <= -1.0 and moved.get_xlim()[1] >= 1.0, "what is robust looks robust"
 
 
 def test_the_same_again_runs_nothing_and_another_scene_is_refused(done, monkeypatch):
