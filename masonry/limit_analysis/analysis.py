@@ -92,6 +92,8 @@ def analyse(
     contacts = with_bars(contacts, loads.bars, loads.bodies)
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, envelope=envelope)
     result.bars = loads.bars
+    if envelope is not None and not wishes.dilation:
+        result.remarks.append("the worst position is the one where joints dilate; others may be worse without")
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
     result.points = _points_word(scene, wishes)
     if progress is not None and plane_of(loads.bodies, contacts) is None:
