@@ -9,7 +9,7 @@ from masonry.assembly.assemble import material_of, require_groups
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of, growing_load, pressure_of
 from masonry.assembly.masses import density_of
-from masonry.assembly.road.axle_pressure import load_of
+from masonry.assembly.road.axle_pressure import Pressure
 from masonry.errors import SceneError
 from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.layout import Layout, lay_out
@@ -132,10 +132,10 @@ def _steady(scene: Scene, varying: list[str]) -> list[str]:
 def _loads(conditions: Conditions, layout: Layout, name: str) -> np.ndarray:
     """(B, 6) one load at a share of 1, moments about x, y and z."""
     load = conditions.each_load[name]["rigid"]
-    return np.zeros((len(layout.kind), 6)) if load is None else about_axes(load, layout)
+    return np.zeros((len(layout.kind), 6)) if load is None else _about_axes(load, layout)
 
 
-def about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
+def _about_axes(load: np.ndarray, layout: Layout) -> np.ndarray:
     """Moments about principal axes as moments about x, y and z."""
     return np.concatenate([load[:, :3], np.einsum("bij,bj->bi", layout.axes, load[:, 3:])], axis=1)
 
@@ -160,7 +160,7 @@ def _live(
         by_kind, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
         load = by_kind["rigid"]
         assert load is not None
-        return about_axes(load, layout), words
+        return _about_axes(load, layout), words
     assert scene.drive is not None and together is not None
     live = np.zeros((len(density), 6))
     blocks = together[:, scene.drive.axis]
@@ -174,12 +174,21 @@ def _below_vehicle(scene: Scene, specimen: Specimen, joints: Joints, layout: Lay
     assert vehicle is not None
     if vehicle.position is None:
         raise SceneError("vehicle.position: missing; this analysis loads one place; give it, for example '1.3 m'")
-    load = load_of(pressure_of(scene, specimen, joints, layout), layout)["rigid"]
+    load = downward(pressure_of(scene, specimen, joints, layout), layout.centroid)
     number = len(vehicle.axles)
     axles = "the axle" if number == 1 else f"the {number} axles"
     leads = "" if vehicle.is_symmetric else f", which leads along {vehicle.directions[0]}"
     words = f"{axles} of the vehicle{leads}, {vehicle.total * 1e-3:.6g} kN in all, at x = {vehicle.position:.4f} m"
-    return (np.zeros((specimen.blocks.count, 6)) if load is None else about_axes(load, layout)), words
+    return load, words
+
+
+def downward(pressure: Pressure, centre: np.ndarray) -> np.ndarray:
+    """(B, 6) of forces that press down on blocks whose centres are (B, 3) m."""
+    load, force = np.zeros((len(centre), 6)), np.zeros((len(pressure.force), 3))
+    force[:, 2] = -pressure.force
+    moment = np.cross(pressure.centre - centre[pressure.owner], force)
+    np.add.at(load, pressure.owner, np.concatenate([force, moment], axis=1))
+    return load
 
 
 def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditions) -> np.ndarray:
@@ -190,7 +199,7 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     """
     deforms = np.array([scene.deforms(g) for g in specimen.blocks.groups])[specimen.blocks.group]
     fixed = conditions.prescribed["rigid"].copy()
-    fixed[:, 3:] = _rotationsabout_axes(fixed[:, 3:], layout)
+    fixed[:, 3:] = _rotations_about_axes(fixed[:, 3:], layout)
     for by in conditions.held_by.values():
         for k in range(3):
             which = deforms & by["rigid"][:, k]
@@ -198,16 +207,16 @@ def _held(scene: Scene, specimen: Specimen, layout: Layout, conditions: Conditio
     return fixed
 
 
-def _rotationsabout_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
+def _rotations_about_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
     """Turns about principal axes that are held, as turns about x, y and z.
 
     A scene that holds one or two turns of a block has an axis of it along x, y or z (see masonry/model/supports.py).
     """
-    about_axes = np.repeat(np.all(fixed, axis=1)[:, None], 3, axis=1)
+    _about_axes = np.repeat(np.all(fixed, axis=1)[:, None], 3, axis=1)
     number = fixed.sum(axis=1).tolist()
     for block in (b for b, rotations in enumerate(number) if rotations in (1, 2)):
         one = number[block] == 1
         odd = int(np.argmax(fixed[block] if one else ~fixed[block]))
         along = int(np.argmax(np.abs(layout.axes[block, :, odd])))
-        about_axes[block] = np.eye(3)[along] == (1.0 if one else 0.0)
-    return about_axes
+        _about_axes[block] = np.eye(3)[along] == (1.0 if one else 0.0)
+    return _about_axes

@@ -14,10 +14,9 @@ from scipy.optimize import minimize_scalar
 
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.growing_loads import bed_of
-from masonry.assembly.road.axle_pressure import RoadBed, load_of
+from masonry.assembly.road.axle_pressure import RoadBed
 from masonry.errors import SceneError
-from masonry.limit_analysis.limit_loads import about_axes, layout_of
-from masonry.model.layout import Layout
+from masonry.limit_analysis.limit_loads import downward
 from masonry.scene import Scene
 from masonry.scene.tables.road.vehicle import Vehicle, Way
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution
@@ -73,7 +72,7 @@ def envelope_of(
 
     Raises SceneError where it presses on nothing that moves, and where forces balance any factor everywhere.
     """
-    vehicle, layout = scene.vehicle, layout_of(specimen)
+    vehicle = scene.vehicle
     assert vehicle is not None
     bed = bed_of(scene, specimen, joints)
     reach = bed.reach(vehicle)
@@ -83,7 +82,7 @@ def envelope_of(
             f"vehicle.between: nothing presses on '{vehicle.on}' from {low:.6g} to {high:.6g} m; "
             f"it reaches from {reach[0]:.6g} to {reach[1]:.6g} m"
         )
-    search = PositionSearch(bed, vehicle, layout, bodies, contacts, method)
+    search = PositionSearch(bed, vehicle, bodies, contacts, method)
     intervals = int(np.clip(2 * len(bed.owner), FEWEST, MOST))
     for direction in vehicle.directions:
         search.add_way(direction, np.linspace(low, high, FINE * intervals + 1))
@@ -97,12 +96,11 @@ class PositionSearch:
         self,
         bed: RoadBed,
         vehicle: Vehicle,
-        layout: Layout,
         bodies: RigidBodies,
         contacts: RigidContacts,
         method: Method,
     ) -> None:
-        self.bed, self.vehicle, self.layout = bed, vehicle, layout
+        self.bed, self.vehicle = bed, vehicle
         self.bodies, self.contacts, self.method = bodies, contacts, method
         self.ways: list[tuple[Way, float]] = []
         self.loads: list[np.ndarray] = []
@@ -111,8 +109,7 @@ class PositionSearch:
 
     def load_at(self, direction: Way, position: float) -> np.ndarray:
         """(B, 6) at a factor of 1."""
-        load = load_of(self.bed.pressure(self.vehicle, position, direction), self.layout)["rigid"]
-        return np.zeros_like(self.bodies.dead) if load is None else about_axes(load, self.layout)
+        return downward(self.bed.pressure(self.vehicle, position, direction), self.bodies.centre)
 
     def add_way(self, direction: Way, positions: np.ndarray) -> None:
         """Positions (n,) m in rising order."""

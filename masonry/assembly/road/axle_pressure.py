@@ -76,14 +76,16 @@ class RoadBed:
         return Pressure(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
     def _of_axle(self, load: float, low: float, high: float) -> Pressure:
-        corners, count = cut(self.corners, self.count, self.corners[:, :, 0] - low)
+        x = self.corners[:, :, 0]
+        near = np.flatnonzero((x.max(axis=1) > low) & (x.min(axis=1) < high))
+        corners, count = cut(self.corners[near], self.count[near], x[near] - low)
         corners, count = cut(corners, count, high - corners[:, :, 0])
         area, normal, centre = areas_normals_centroids(corners)
         plan = np.where(count > 2, area * normal[:, 2], 0.0)
         below = np.flatnonzero(plan > 0.0)
         share = max(min(high, self.high) - max(low, self.low), 0.0) / (high - low)
         force = load * share * plan[below] / max(plan.sum(), 1e-300)
-        return Pressure(self.owner[below], force, centre[below])
+        return Pressure(self.owner[near[below]], force, centre[below])
 
     def reach(self, vehicle: Vehicle) -> tuple[float, float]:
         """m, the least and the greatest position at which some axle presses on the faces."""
