@@ -55,7 +55,9 @@ def _holding(near: Near, pairs: PatchPairs) -> Near:
         before=no_pairs(room),
         cells=cells_for(near.pieces, room),
         search=near.search._replace(
-            candidates=np.zeros((room, 2), dtype=np.int64), losers=np.zeros(room, dtype=np.int64)
+            candidates=np.zeros((room, 2), dtype=np.int64),
+            losers=np.zeros(room, dtype=np.int64),
+            next_pair=np.zeros((room, 2), dtype=np.int64),
         ),
     )
 

@@ -114,6 +114,8 @@ class Search(NamedTuple):
     rounds   (m, 2) of detection/spread.py, where they have more of them; else of one round
     candidates  (F, 2) room for the pairs that a search finds
     losers   (F,) room for the pairs that lost normal energy in the looks of a step
+    listed   (1,) whether each block's pairs are listed as they are: first_pair (B,), next_pair (F, 2):
+    first_pair, next_pair   pairs_of_blocks.py
     patches  (F,) room for how many patches lie on each face
     stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
     stale_block
@@ -138,6 +140,9 @@ class Search(NamedTuple):
     rounds: np.ndarray
     candidates: np.ndarray
     losers: np.ndarray
+    listed: np.ndarray
+    first_pair: np.ndarray
+    next_pair: np.ndarray
     patches: np.ndarray
     stale: np.ndarray
     stale_block: np.ndarray

@@ -54,7 +54,7 @@ def _refresh(record):
 def spare_after(near, searching, looking, step):
     """What `refresh` returns; `searching` and `looking` as of pair_search.py and redetection.py."""
     search, pairs, travel = near.search, near.pairs, near.motion.travel
-    widened = widen(search, step)
+    widened, search.listed[0] = widen(search, step), False
     spare, looked = search.skin[0] - farthest(travel, search.built), False
     if widened or spare < 0.0:
         if not find_pairs(searching):

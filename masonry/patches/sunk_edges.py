@@ -8,6 +8,7 @@ from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inner
 from masonry.kinematics.matrices import dot, minus, vector_at
 from masonry.patches.arrays import between
+from masonry.patches.pairs_of_blocks import list_pairs, next_pair
 from masonry.patches.press import gap_of
 
 NARROW = 0.02
@@ -21,15 +22,28 @@ LEVEL_WITH = 0.995
 @inner
 def is_as_deep_beside(near, p, depth):
     """Whether another patch on a face of patch p is at least half as deep: what slides over a seam brings its depth."""
-    pairs = near.pairs
-    for q in range(pairs.number[0] if pairs.witness[p, 0] == FACE else 0):
-        if q == p or pairs.slot[q] < 0 or pairs.witness[q, 0] != FACE:
-            continue
-        if pairs.witness[p, 1] in pairs.witness[q, 1:] or pairs.witness[p, 2] in pairs.witness[q, 1:]:
-            for k in range(near.points.number[pairs.slot[q]]):
-                if -gap_of(pairs, near.points, near.motion, q, k) >= 0.5 * depth:
-                    return True
+    pairs, search = near.pairs, near.search
+    if pairs.witness[p, 0] != FACE:
+        return False
+    list_pairs(pairs, search)
+    for side in range(2):
+        block = pairs.body[p, side]
+        q = search.first_pair[block]
+        while q >= 0:
+            if q != p and shares_face(pairs, p, q):
+                for k in range(near.points.number[pairs.slot[q]]):
+                    if -gap_of(pairs, near.points, near.motion, q, k) >= 0.5 * depth:
+                        return True
+            q = next_pair(pairs, search, q, block)
     return False
+
+
+@inner
+def shares_face(pairs, p, q):
+    """Whether pair q touches on a face of patch p."""
+    if pairs.slot[q] < 0 or pairs.witness[q, 0] != FACE:
+        return False
+    return pairs.witness[p, 1] in pairs.witness[q, 1:] or pairs.witness[p, 2] in pairs.witness[q, 1:]
 
 
 @inner
@@ -40,11 +54,16 @@ def is_sunk(near, p, count):
     meets the side of the next slab, where the first one is as well, so that nothing can be hit: they touch with their
     faces that lie level. The third one may be another piece of a block that is not convex.
     """
-    pairs, first, one, two, widest = near.pairs, 0, -1, -1, 0.0
+    pairs, search, first, one, two, widest = near.pairs, near.search, 0, -1, -1, 0.0
     a, b, i, j = pairs.body[p, 0], pairs.body[p, 1], pairs.piece[p, 0], pairs.piece[p, 1]
     if not is_narrow(near, p, count):
         return False
-    for q in range(pairs.number[0]):
+    list_pairs(pairs, search)
+    here, there = search.first_pair[a], search.first_pair[b]
+    while here >= 0 or there >= 0:
+        q = here if there < 0 or 0 <= here <= there else there
+        here = next_pair(pairs, search, q, a) if here == q else here
+        there = next_pair(pairs, search, q, b) if there == q else there
         for t in range(2 if pairs.slot[q] >= 0 else 0):
             shared, third = pairs.body[q, 1 - t], pairs.piece[q, t]
             if shared not in (a, b) or third in (i, j):

@@ -12,10 +12,10 @@ from geometry.polyhedra.indexing import following
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.detection.broad import cells_for
 from masonry.detection.overlap import most_points, scratch_of
-from masonry.detection.pieces import pieces_of
+from masonry.detection.pieces import ConvexPieces, pieces_of
 from masonry.detection.placing import turned_of
 from masonry.detection.spread import rounds_of
-from masonry.detection.tet_pieces import FACES
+from masonry.detection.tet_pieces import FACES, SurfaceTets
 from masonry.kernels.bars import Bars
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
@@ -221,9 +221,42 @@ def near_of(
     """
     tets = outer_tets(layout)
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
-    count, size, pair_keys = len(pieces.block), sizes_of(layout, tets), keys(bonded, len(pieces.body))
     most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
-    search = Search(
+    search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
+    motion, members = motion_of(layout, bodies, pieces.reach, tets)
+    size = sizes_of(layout, tets)
+    return Near(
+        pieces=pieces,
+        turned=turned_of(pieces),
+        cells=cells_for(pieces, room),
+        pairs=no_pairs(room),
+        before=no_pairs(room),
+        points=no_points(room, most, meetings.branches, ROWS if meetings.crushes else 0),
+        rules=own_rules(meetings),
+        motion=motion,
+        search=search,
+        footprint=no_footprint(most),
+        former=no_former_patch(most),
+        scratch=scratch_of(pieces),
+        account=np.zeros(6),
+        crushed=crushed_faces(pieces, size[: blocks.count], tets is not None) if meetings.crushes else None,
+    ), members
+
+
+def search_of(
+    blocks: Blocks,
+    layout: Layout,
+    bodies: Bodies,
+    masses: dict[str, np.ndarray],
+    meetings: Meetings,
+    bonded: np.ndarray,
+    pieces: ConvexPieces,
+    tets: SurfaceTets | None,
+    room: int,
+) -> Search:
+    """What looking for contacts among these pieces needs, with room for so many pairs."""
+    count, size, pair_keys = len(pieces.block), sizes_of(layout, tets), keys(bonded, len(pieces.body))
+    return Search(
         group=blocks.group.astype(np.int64)[pieces.block],
         unit=blocks.unit.astype(np.int64)[pieces.block],
         law_of=meetings.law_of,
@@ -241,29 +274,15 @@ def near_of(
         rounds=rounds_of(meetings.along),
         candidates=np.zeros((room, 2), dtype=np.int64),
         losers=np.zeros(room, dtype=np.int64),
+        listed=np.zeros(1, dtype=bool),
+        first_pair=np.zeros(count, dtype=np.int64),
+        next_pair=np.zeros((room, 2), dtype=np.int64),
         patches=np.zeros(len(pieces.normal), dtype=np.int64),
         stale=np.zeros(len(pieces.normal), dtype=bool),
         stale_block=np.zeros(count, dtype=bool),
         refusal=np.zeros(3, dtype=np.int64),
         tally=np.zeros(2, dtype=np.int64),
     )
-    motion, members = motion_of(layout, bodies, pieces.reach, tets)
-    return Near(
-        pieces=pieces,
-        turned=turned_of(pieces),
-        cells=cells_for(pieces, room),
-        pairs=no_pairs(room),
-        before=no_pairs(room),
-        points=no_points(room, most, meetings.branches, ROWS if meetings.crushes else 0),
-        rules=own_rules(meetings),
-        motion=motion,
-        search=search,
-        footprint=no_footprint(most),
-        former=no_former_patch(most),
-        scratch=scratch_of(pieces),
-        account=np.zeros(6),
-        crushed=crushed_faces(pieces, size[: blocks.count], tets is not None) if meetings.crushes else None,
-    ), members
 
 
 def own_rules(meetings: Meetings) -> Rules:
