@@ -38,6 +38,8 @@ AT_REST = DRIVEN | {"reactions": {"end": {"support.0": {}}}}
 """Dead loads that have settled."""
 REAL_TIME = AT_REST | {"in_real_time": True, "collapse": None}
 """What moves in real time."""
+SHAKEN = REAL_TIME | {"shaking": {"kinetic_at_end": 0.0}, "damping_after_settling": {}}
+"""What the ground shakes."""
 GROWN = AT_REST | {
     "collapse_load": {
         "pattern": "sideways",

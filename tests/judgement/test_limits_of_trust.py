@@ -12,7 +12,7 @@ from masonry.judgement.catalogue import criteria
 from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judge, judgement_of
 from masonry.judgement.sentence import advice, trust
-from tests.judgement.summaries import AT_REST, DRIVEN, GROWN, LED, LOOPS, REAL_TIME, with_numbers
+from tests.judgement.summaries import AT_REST, DRIVEN, GROWN, LED, LOOPS, REAL_TIME, SHAKEN, with_numbers
 
 LIMITS = [
     (DRIVEN, "energy_imbalance", 1e-9, "the energy balance is open by 1"),
@@ -30,6 +30,8 @@ LIMITS = [
     (DRIVEN, "kinetic_over_internal_max", 0.05, "not quasi-static: the kinetic energy reaches 0.051 of the int"),
     (DRIVEN, "unbalanced_after_settling", 1e-3, "the dead loads had not come to rest: 0.001 of them is unbal"),
     (DRIVEN, "kinetic_after_settling", 1e-6, "the dead loads had not come to rest: the kinetic energy is"),
+    (SHAKEN, "unbalanced_after_settling", 1e-3, "the dead loads had not come to rest: 0.001 of them is unbal"),
+    (SHAKEN, "kinetic_after_settling", 1e-6, "the dead loads had not come to rest: the kinetic energy is"),
     (
         DRIVEN,
         "unrest_after_settling__unbalanced",

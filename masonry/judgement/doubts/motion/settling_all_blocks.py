@@ -14,8 +14,10 @@ ADVICE = "raise settle.steps, or leave [settle] out; if that does not help, {} c
 
 
 def is_asked(evidence: Evidence) -> bool:
-    """What moves in real time need not rest, and without loads nothing settles."""
-    return not evidence.in_real_time and evidence.summary.get("work_of_loads_j") != {}
+    """What moves in real time need not rest, unless the ground shakes it, as it is to stand before. Without loads
+    nothing settles."""
+    falls = evidence.in_real_time and not evidence.table("shaking")
+    return not falls and evidence.summary.get("work_of_loads_j") != {}
 
 
 UNBALANCED_AFTER_SETTLING = Criterion(
