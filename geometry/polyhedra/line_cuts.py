@@ -5,6 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from geometry.blocks import Blocks
+from geometry.polyhedra.measures import face_areas_normals_centroids
+from geometry.polyhedra.polygons import pad
+
+TOUCH = 1e-7
+"""Of the specimen's extent: what a point or a line lies in, it may miss by so much."""
+
 
 @dataclass(frozen=True)
 class LinePieces:
@@ -17,6 +24,14 @@ class LinePieces:
     body: np.ndarray
     middle: np.ndarray
     fraction: np.ndarray
+
+
+def planes_of(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
+    """Outward normals (B, n, 3) of the faces of each block, and their levels (B, n) m, as `pieces` takes them."""
+    _, normal, centre = face_areas_normals_centroids(blocks)
+    level = np.einsum("fi,fi->f", normal, centre)
+    planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
+    return planes[:, :, :3], planes[:, :, 3]
 
 
 def pieces(normal: np.ndarray, level: np.ndarray, place: Sequence[float | None], width: float) -> LinePieces:

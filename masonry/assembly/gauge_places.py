@@ -6,18 +6,14 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen, TetMesh
 from geometry.joints.boundary import surface_nodes
-from geometry.polyhedra.line_cuts import LinePieces, pieces
+from geometry.polyhedra.line_cuts import TOUCH, LinePieces, pieces, planes_of
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
-from geometry.polyhedra.polygons import pad
 from masonry.assembly.conditions import select
 from masonry.errors import SceneError
 from masonry.model.gauges import Gauge, Place, gauge
 from masonry.model.layout import Layout, tet_gradients, tet_volumes
 from masonry.scene import Scene
 from masonry.scene.tables.gauge import Coordinates
-
-TOUCH = 1e-7
-"""Of the specimen's extent: what a point or a line lies in, it may miss by so much."""
 
 
 def gauges_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout) -> tuple[Gauge, ...]:
@@ -72,10 +68,7 @@ def _on_line(specimen: Specimen, layout: Layout, where: Coordinates, key: str) -
         for i, value in enumerate(where)
     ]
     width = TOUCH * extent(blocks)
-    _, normal, centre = face_areas_normals_centroids(blocks)
-    level = np.einsum("fi,fi->f", normal, centre)
-    planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
-    cut = pieces(planes[:, :, :3], planes[:, :, 3], place, width)
+    cut = pieces(*planes_of(blocks), place, width)
     solid = ~layout.meshed[cut.body]
     if len(cut.body) == 0:
         raise SceneError(f"{key}: no block lies at {_said(place)}; the specimen reaches over {_said(low, high)}")

@@ -18,6 +18,7 @@ from masonry.pictures.crack_style import crack_colours, widths
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
+from masonry.pictures.overlays.bar_lines import draw_bars_of
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, as_it_stands, crushed, moved_undamaged
 from masonry.rows.history import Frame
@@ -79,6 +80,7 @@ class FacesDrawing(Drawing):
             for line in lines.get(number, ()):
                 faces.add_line(*line)
         faces.draw(axes)
+        draw_bars_of(axes, self.result, frame, self.camera, times)
         self.draw_thrust(axes, frame, times, pieces)
 
     def draw_joints(self, faces: FaceDrawing, cracks: JointCracks, tiles: list[np.ndarray]) -> None:

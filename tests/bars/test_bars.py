@@ -144,3 +144,15 @@ def test_joints_that_crush_and_ties_that_yield():
     """About a toe of stress fc the pivot lies half of the pressed width inside: a little less than about the edge."""
     result = analyse(masonry.load("wall-tied"), LimitSettings(crushing=5e6))
     assert 0.98 * BY_HAND < result.factor < BY_HAND
+
+
+def test_pictures_draw_bars_and_mark_those_that_yielded():
+    limit, scene = masonry.limit("wall-tied"), masonry.load("wall-tied")
+    from masonry.limit_analysis.pictures import mechanism_figure
+    from masonry.pictures.overlays.bar_lines import ELASTIC, YIELDED, bar_keys
+
+    drawn = [one for one in mechanism_figure(limit, "side").axes[0].collections if one.get_zorder() == 3.8]
+    assert len(drawn) == 1 and len(drawn[0].get_segments()) == 2
+    assert [key.get_color() for key in bar_keys(scene.bar)] == [ELASTIC]
+    assert [key.get_color() for key in bar_keys(scene.bar, np.array([True, False]))] == [ELASTIC, YIELDED]
+    assert bar_keys(()) == []

@@ -3,9 +3,8 @@
 import numpy as np
 
 from geometry.blocks import Blocks, Specimen
-from geometry.polyhedra.line_cuts import pieces
-from geometry.polyhedra.measures import extent, face_areas_normals_centroids
-from geometry.polyhedra.polygons import pad
+from geometry.polyhedra.line_cuts import TOUCH, pieces, planes_of
+from geometry.polyhedra.measures import extent
 from masonry.detection.tet_pieces import FACES
 from masonry.errors import SceneError
 from masonry.model.bars.bar_ends import BarPlaces
@@ -13,8 +12,6 @@ from masonry.model.large.block_motion import outer_tets
 from masonry.model.layout import Layout
 from masonry.scene import Scene
 
-TOUCH = 1e-7
-"""Of the specimen's extent: what an end lies in, it may miss by so much."""
 ENDS = ("first", "second")
 
 
@@ -30,7 +27,7 @@ def bar_places_of(scene: Scene, specimen: Specimen, layout: Layout) -> BarPlaces
     still = np.array([[bar.fixed_end == end for end in ENDS] for bar in scene.bar])[table]
     block = np.full(still.shape, -1)
     node, fraction = np.full((*still.shape, 3), -1), np.zeros((*still.shape, 3))
-    planes = _planes(specimen.blocks)
+    planes = planes_of(specimen.blocks)
     reach = extent(specimen.blocks)
     for k, end in zip(*np.nonzero(~still), strict=True):
         where, place = f"bar.{table[k]}.ends", point[k, end]
@@ -45,14 +42,6 @@ def bar_places_of(scene: Scene, specimen: Specimen, layout: Layout) -> BarPlaces
         *(block, point, node, fraction, numbers[:, 0].copy(), least[table], most[table]),
         *(numbers[:, 1].copy(), numbers[:, 2].copy(), {name: k for k, name in enumerate(names) if name is not None}),
     )
-
-
-def _planes(blocks: Blocks) -> tuple[np.ndarray, np.ndarray]:
-    """Outward normals (B, n, 3) of the faces of each block, and their levels (B, n) m."""
-    _, normal, centre = face_areas_normals_centroids(blocks)
-    level = np.einsum("fi,fi->f", normal, centre)
-    planes, _ = pad(np.column_stack([normal, level]), blocks.block_face_start, np.arange(len(level)))
-    return planes[:, :, :3], planes[:, :, 3]
 
 
 def _block_at(blocks: Blocks, planes: tuple[np.ndarray, np.ndarray], place: np.ndarray, width: float, what: str) -> int:

@@ -7,8 +7,8 @@ from masonry.runtime.record import Record, one_of
 
 @dataclass(frozen=True, eq=False)
 class BarRecord(Record):
-    """The greatest and the least force of any bar at any step, and of which bar; how many yielded, and by how much the
-    one that did most was longer at the end."""
+    """The greatest and the least force of any bar at any step, and of which bar; how many yielded, by how much the
+    one that did most was longer at the end, and by how much each was."""
 
     count: int = 0
     largest_force_n: float = 0.0
@@ -17,6 +17,7 @@ class BarRecord(Record):
     least_of: int = 0
     yielded: int = 0
     longest_plastic_m: float = 0.0
+    plastic_m: list[float] | None = None
 
 
 @dataclass(frozen=True, eq=False)

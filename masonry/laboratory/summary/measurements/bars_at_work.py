@@ -20,5 +20,6 @@ def bars_at_work(assembly: Assembly) -> WithBars:
             least_of=least,
             yielded=int((bars.plastic_work > 0.0).sum()),
             longest_plastic_m=float(np.abs(bars.plastic).max()),
+            plastic_m=bars.plastic.tolist(),
         )
     )

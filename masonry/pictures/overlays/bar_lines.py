@@ -1,0 +1,86 @@
+"""Bars over the blocks of a specimen, from end to end, in any view; those that yielded in another colour."""
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from geometry.blocks import Blocks
+from geometry.polyhedra.line_cuts import TOUCH, pieces, planes_of
+from geometry.polyhedra.measures import extent
+from masonry.pictures.camera import Camera
+from masonry.results.deformation import BlockCorners, Deformation
+from masonry.rows.history import Frame
+from masonry.scene.tables.specimens.bar import BarTable
+
+if TYPE_CHECKING:
+    from masonry.results.data import ResultData
+
+ELASTIC, YIELDED = "#08519c", "#d95f02"
+Moves = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""By how much (n, 3) m points (n, 3) of blocks (n,) are moved in a picture."""
+
+
+def draw_bars(
+    axes: Any,
+    bars: Sequence[BarTable],
+    blocks: Blocks,
+    camera: Camera,
+    moves: Moves | None = None,
+    yielded: np.ndarray | None = None,
+) -> None:
+    """The bars of a scene, where it has any; yielded (K,) which of them have."""
+    if not bars:
+        return
+    from matplotlib.collections import LineCollection
+
+    ends = np.array([place for bar in bars for place in bar.places])
+    places = ends.reshape(-1, 3)
+    if moves is not None:
+        fixed = np.array([[bar.fixed_end == end for end in ("first", "second")] for bar in bars])
+        which = np.flatnonzero(~np.repeat(fixed, [bar.repeat for bar in bars], axis=0).ravel())
+        planes, width = planes_of(blocks), TOUCH * extent(blocks)
+        block = [int(pieces(*planes, place, width).body[0]) for place in places[which].tolist()]
+        places[which] = places[which] + moves(np.array(block), places[which])
+    flat = camera.project(places)
+    colours = np.where(np.zeros(len(ends), dtype=bool) if yielded is None else yielded, YIELDED, ELASTIC)
+    axes.add_collection(
+        LineCollection(list(flat.reshape(-1, 2, 2)), colors=colours.tolist(), linewidths=1.6, zorder=3.8)
+    )
+    axes.scatter(*flat.T, s=16.0, marker="s", c=np.repeat(colours, 2).tolist(), linewidths=0.0, zorder=3.9)
+
+
+def draw_bars_of(axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float) -> None:
+    """Those of a run where they are in a frame, displacements `times` larger."""
+    if not (bars := bars_in(result)):
+        return
+    blocks = result.specimen.blocks
+    field = Deformation(BlockCorners(blocks), frame)
+
+    def moves(block: np.ndarray, point: np.ndarray) -> np.ndarray:
+        return times * field.at(block, point, np.full(len(block), -1))
+
+    draw_bars(axes, bars, blocks, camera, moves, yielded_in(result))
+
+
+def bars_in(result: "ResultData") -> list[BarTable]:
+    """The bars of the scene of a run."""
+    return [BarTable.model_validate(table) for table in result.scene_table.get("bar", ())]
+
+
+def yielded_in(result: "ResultData") -> np.ndarray | None:
+    """(K,) which bars of a run were longer or shorter for good at its end; None where it does not say."""
+    bars = result.summary["bars"]
+    return None if not bars or bars["plastic_m"] is None else np.array(bars["plastic_m"]) != 0.0
+
+
+def bar_keys(bars: Sequence[BarTable], yielded: np.ndarray | None = None) -> list[Any]:
+    """Entries of a key: of bars, and of those that yielded; of what occurs."""
+    if not bars:
+        return []
+    from matplotlib.lines import Line2D
+
+    count, many = sum(bar.repeat for bar in bars), 0 if yielded is None else int(yielded.sum())
+    words = [(ELASTIC, "bar"), (YIELDED, "bar that yielded")]
+    drawn = [word for word, number in zip(words, (count - many, many), strict=True) if number]
+    return [Line2D([], [], color=colour, lw=1.6, marker="s", ms=4.0, label=label) for colour, label in drawn]
