@@ -19,6 +19,8 @@ MOST_IN_A_ROW = 6
 """Of longer rows of numbered names the first and the last are written."""
 OUT = 0.055
 """How far the edges with coordinates stand from the specimen, over its size."""
+DIGITS, LONGEST = 10, 7
+"""Digits of a coordinate in mm, and letters beyond which two of them have room at an axis: far from the origin."""
 AWAY = 0.25
 """How far names stand from the box round the specimen, over the size of the picture."""
 
@@ -135,7 +137,9 @@ def draw_axes(axes: Any, blocks: Blocks, camera: Camera, left_taken: bool = Fals
         flat = camera.project(blocks.points)
         for spine, across, low, high in zip(("bottom", "left"), "xy", flat.min(axis=0), flat.max(axis=0), strict=True):
             ticks = _ticks(low, high, 6)
-            axes.set(**{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.6g}" for tick in ticks]})
+            axes.set(
+                **{f"{across}ticks": ticks * 1e-3, f"{across}ticklabels": [f"{tick:.{DIGITS}g}" for tick in ticks]}
+            )
             axes.spines[spine].set_bounds(low, high)
         axes.spines[["top", "right"]].set_visible(False)
         return
@@ -152,7 +156,9 @@ def _ticks(low: float, high: float, most: int) -> np.ndarray:
     from matplotlib.ticker import MaxNLocator
 
     ticks = np.asarray(MaxNLocator(most).tick_values(low * 1e3, high * 1e3))
-    return np.asarray(ticks[(ticks >= low * 1e3 - 1e-6) & (ticks <= high * 1e3 + 1e-6)])
+    ticks = np.asarray(ticks[(ticks >= low * 1e3 - 1e-6) & (ticks <= high * 1e3 + 1e-6)])
+    is_long = any(len(f"{tick:.{DIGITS}g}") > LONGEST for tick in ticks)
+    return ticks[[0, -1]] if is_long and len(ticks) > 2 else ticks
 
 
 def _draw_edge(
@@ -171,7 +177,7 @@ def _draw_edge(
     for tick in ticks:
         at = camera.project(start + (tick * 1e-3 - low[axis]) * along) + away * size * out
         axes.plot(*np.array([at, at + 0.012 * size * out]).T, color="0.3", lw=0.9)
-        axes.annotate(f"{tick:.6g}", at + 0.042 * size * out, ha="center", va="center", fontsize=8, color="0.2")
+        axes.annotate(f"{tick:.{DIGITS}g}", at + 0.042 * size * out, ha="center", va="center", fontsize=8, color="0.2")
     name = ends.mean(axis=0) + (0.11, 0.15)[axis] * size * out if axis < 2 else ends[1] + (0.0, 0.05 * size)
     axes.annotate(f"{'xyz'[axis]} [mm]", name, ha="center", va="center", fontsize=9)
     axes.update_datalim([name + 0.03 * size * out])

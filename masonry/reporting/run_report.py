@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from geometry.blocks import GeometryError
 from geometry.files.atomic import whole_file
+from masonry import __version__
 from masonry.errors import SceneError
 from masonry.judgement.catalogue import criteria
 from masonry.laboratory import arguments
@@ -54,7 +55,8 @@ def report_page(result: Result) -> ReportPage:
     return ReportPage(
         title=result.title,
         made=f"scene {summary.scene or 'without a name'}, {result.specimen.blocks.count} blocks, "
-        f"{len(result.joints.area)} contact points; masonry-dem {summary.version or ''}, {summary.source_hash or ''}",
+        f"{len(result.joints.area)} contact points; "
+        f"{', '.join(filter(None, (f'masonry-dem {summary.version or __version__}', summary.source_hash)))}",
         verdict=result.verdict,
         trust=result.trust,
         pictures=[picture for one in PICTURES if (picture := one.of(result)) is not None],

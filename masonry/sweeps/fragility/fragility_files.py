@@ -10,6 +10,7 @@ import numpy as np
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
 from masonry.sweeps.fragility.fragility import QUANTILES, Fragility
+from masonry.sweeps.fragility.request import FragilityRequest
 from masonry.sweeps.sweep_table import csv_text
 
 TABLE, NUMBERS, PICTURE = "fragility.csv", "fragility.json", "fragility.png"
@@ -83,9 +84,9 @@ def fragility_figure(title: str, fragility: Fragility) -> Any:
     from matplotlib.figure import Figure
 
     panels = 1 if fragility.measure is None else 3
-    figure = Figure(figsize=(6.5 if panels == 1 else 15, 5.2), layout="constrained")
+    figure = Figure(figsize=(6.75 if panels == 1 else 13, 4.6), layout="constrained")
     axes = np.atleast_1d(figure.subplots(1, panels))
-    figure.suptitle(plain(f"{title}: {fragility.sentence.removeprefix('fragility: ')}"), fontsize=10)
+    figure.suptitle(plain(f"{title}: {fragility.sentence.removeprefix('fragility: ')}"), fontsize=12, wrap=True)
     _draw_shares(axes[0], fragility)
     if fragility.measure is not None:
         _draw_measures(axes[1], fragility, fragility.measure)
@@ -93,7 +94,15 @@ def fragility_figure(title: str, fragility: Fragility) -> Any:
     for one in axes:
         one.grid(color="0.9", linewidth=0.8)
         one.spines[["top", "right"]].set_visible(False)
+        one.locator_params(axis="x", nbins=5)
     return figure
+
+
+def _measure_label(request: FragilityRequest) -> str:
+    """The name of a measure with its unit in brackets, where it ends in one."""
+    name, _, unit = str(request.measure).rpartition("_")
+    words = {"m": "m", "rad": "rad", "pa": "Pa", "n": "N", "j": "J", "s": "s"}
+    return plain(f"{name.replace('_', ' ')} [{words[unit]}]" if unit in words else str(request.measure))
 
 
 def _label(fragility: Fragility) -> str:
@@ -128,7 +137,7 @@ def _draw_measures(axes: Any, fragility: Fragility, measure: np.ndarray) -> None
         axes.axvline(fragility.request.limit, color=RED, linestyle="--", label="limit")
     if down.any() or fragility.request.limit is not None:
         axes.legend(frameon=False, fontsize=9)
-    axes.set(xlabel=plain(f"{fragility.request.measure}"), ylabel=_label(fragility))
+    axes.set(xlabel=_measure_label(fragility.request), ylabel=_label(fragility))
 
 
 def _draw_distributions(axes: Any, fragility: Fragility, measure: np.ndarray) -> None:
@@ -146,8 +155,8 @@ def _draw_distributions(axes: Any, fragility: Fragility, measure: np.ndarray) ->
         shares = np.arange(len(finite) + 1) / max(1, len(values))
         label = f"{level.intensity:.3g}"
         axes.step([0.0, *finite, top], [*shares, shares[-1]], where="post", color=colour, label=label)
-    axes.set(xlabel=plain(f"{fragility.request.measure}"), ylabel="share of runs", ylim=(-0.03, 1.03))
-    axes.legend(title=_label(fragility), frameon=False, fontsize=8)
+    axes.set(xlabel=_measure_label(fragility.request), ylabel="share of runs", ylim=(-0.03, 1.03))
+    axes.legend(title=_label(fragility), loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
 
 
 def _largest(measure: np.ndarray) -> float:
