@@ -1,5 +1,6 @@
 """Small sound files of every format that is read, made once in a process: what bad input is made of."""
 
+import json
 import tempfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,6 +19,7 @@ from geometry.meshes.gmsh_session import gmsh_model
 from geometry.specimens.stacked import couplet
 from masonry.results.store import NUMBERS
 from masonry.scene import packaged
+from tests.geometry.files import compas_samples as samples
 from tests.results.sample import sample
 
 PLANE = Path(__file__).resolve().parents[1] / "geometry" / "files" / "plane.tess"
@@ -136,6 +138,13 @@ def surfaces() -> tuple[bytes, ...]:
     written = [_written(suffix, lambda path: export(path, small())) for suffix in (".obj", ".stl")]
     box = trimesh.creation.box((1.0, 2.0, 3.0))
     return (*written, *(_written(suffix, lambda path: box.export(path)) for suffix in (".stl", ".ply")))
+
+
+@cache
+def compas() -> tuple[bytes, ...]:
+    """A model, assemblies of two versions, a list of meshes."""
+    written = samples.model(), samples.assembly(), samples.assembly(1), [samples.mesh(), samples.mesh(samples.HEIGHT)]
+    return tuple(json.dumps(content).encode() for content in written)
 
 
 @cache

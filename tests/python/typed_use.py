@@ -10,6 +10,7 @@ from masonry.laboratory.result import Result
 from masonry.limit_analysis.limit_result import LimitResult
 from masonry.results.data import Peak
 from masonry.scene import Scene
+from masonry.sweeps.sweep_run import SweepResult
 
 
 def use(folder: Path) -> float:
@@ -28,5 +29,12 @@ def use(folder: Path) -> float:
     assert_type(result.plot(folder / "curve.png"), Figure)
     assert_type(result.save(folder), dict[str, Path])
     assert_type(masonry.limit("arch-tilted", dilation=False), LimitResult)
+    pressures = masonry.sweep(scene, {"confinement": ["0.1 MPa", "0.2 MPa"]}, folder, workers=0)
+    assert_type(pressures, SweepResult)
+    assert_type(pressures.result(0), Result)
+    assert_type(masonry.load({"base": "couplet"}), Scene)
+    assert_type(masonry.import_blocks("dome.obj").scene, Scene)
+    assert_type(masonry.export(scene, folder / "couplet.step"), Path)
+    assert_type(masonry.resume(folder), Result)
     again = masonry.load_result(folder)
     return blocks * float(again.curve["stress"][0]) + again.peak.stress

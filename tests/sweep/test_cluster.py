@@ -32,6 +32,14 @@ def test_a_cluster_gives_the_rows_that_this_machine_gives(cluster, tmp_path):
     assert len(marks(tmp_path / "there")) == 4 and "left" in lines[0]
 
 
+def test_a_client_of_ones_own_does_the_runs_and_stays_open(cluster, tmp_path):
+    from dask.distributed import Client
+
+    with Client(cluster.scheduler_address, set_as_default=False) as client:
+        rows = engine.run(jobs(*FOUR[:2]), tmp_path / "there", executor=client)
+        assert [row["status"] for row in rows] == ["OK"] * 2 and client.status == "running"
+
+
 def test_both_workers_of_the_cluster_compute(cluster):
     ends = dict(work_on(cluster.scheduler_address, slowly, range(8)))
     assert len(set(ends.values())) == 2 and os.getpid() not in ends.values()

@@ -50,6 +50,8 @@ def read_compas(path: Path) -> list[Surface]:
         raise GeometryError(f"'{path.name}': {error}") from None
     except ValueError as error:
         raise GeometryError(f"'{path.name}' is no JSON ({f'{error}'[:200]})") from None
+    except (AttributeError, TypeError, LookupError) as error:
+        raise GeometryError(f"'{path.name}': a table of it has not the form that COMPAS gives it ({error})") from None
     if not surfaces:
         raise GeometryError(f"'{path.name}' holds no blocks of COMPAS: {ALLOWED}, as compas.json_dump writes them")
     return surfaces
@@ -84,7 +86,11 @@ def _surfaces(value: Any, place: np.ndarray, name: str) -> Iterator[Surface]:
     shape = _shape(data)
     if shape is not None:
         points, faces = shape
-        yield Surface(named.name or name, points @ place[:3, :3].T + place[:3, 3], faces)
+        if not faces:
+            raise GeometryError(f"{named.name or name or 'a mesh'} has no faces")
+        with np.errstate(all="ignore"):
+            points = points @ place[:3, :3].T + place[:3, 3]
+        yield Surface(named.name or name, _points(points), faces)
     elif isinstance(data, dict) and "elements" in data:
         yield from _of_model(data, place)
     elif isinstance(data, dict) and (nodes := _nodes(data)):
@@ -179,7 +185,7 @@ def _shape(data: Any) -> tuple[np.ndarray, list[np.ndarray]] | None:
     return None
 
 
-def _points(corners: list[Any]) -> np.ndarray:
+def _points(corners: Any) -> np.ndarray:
     try:
         points = np.array(corners, dtype=float).reshape(-1, 3)
     except (TypeError, ValueError):
@@ -190,7 +196,7 @@ def _points(corners: list[Any]) -> np.ndarray:
 
 
 def _loops(faces: list[Any], count: int) -> list[np.ndarray]:
-    loops = [np.asarray(face) for face in faces]
+    loops = [np.asarray(face) if isinstance(face, list) else np.zeros(0) for face in faces]
     for n, loop in enumerate(loops):
         if loop.ndim != 1 or loop.dtype.kind != "i" or len(loop) < 3 or loop.min() < 0 or loop.max() >= count:
             raise GeometryError(f"face {n} is no list of three or more of {count} vertices")
@@ -209,9 +215,10 @@ def _matrix(value: Any) -> np.ndarray:
             frame: dict[str, Any] = data or {}
             axes = [_named(frame[key]).data if isinstance(frame[key], dict) else frame[key] for key in FRAME]
             point, x, y = np.array(axes, dtype=float)
-            x /= np.linalg.norm(x)
-            z = np.cross(x, y) / np.linalg.norm(np.cross(x, y))
             matrix = np.eye(4)
+            with np.errstate(all="ignore"):  # what is not finite is told below
+                x /= np.linalg.norm(x)
+                z = np.cross(x, y) / np.linalg.norm(np.cross(x, y))
             matrix[:3] = np.stack([x, np.cross(z, x), z, point], axis=1)
     except (KeyError, TypeError, ValueError):
         matrix = np.zeros(0)

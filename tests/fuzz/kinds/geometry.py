@@ -148,6 +148,19 @@ def surfaces(draw: Draw) -> Attempt:
     return _imported(draw, sound.surfaces(), (".obj", ".stl", ".ply"), (_corner_lost,), words)
 
 
+@kind("compas", 4, 12)
+def compas(draw: Draw) -> Attempt:
+    """JSON of COMPAS: torn, numbers that are none, tables in the place of others."""
+    return _imported(draw, sound.compas(), (".json",), (_another_table,))
+
+
+def _another_table(draw: Draw, content: bytes) -> bytes:
+    """A key with another value, or under another name."""
+    key = pick(draw, (b"data", b"dtype", b"vertex", b"face", b"elements", b"tree", b"root", b"children", b"matrix"))
+    value = pick(draw, (b"null", b"5", b'"x"', b"[]", b"{}", b"[null]", b"1e400", b"NaN", b"[" * 200 + b"]" * 200))
+    return content.replace(b'"%s": ' % key, pick(draw, (b'"%s": %s, "other": ' % (key, value), b'"xyz": ')), 1)
+
+
 def _corner_lost(draw: Draw, content: bytes) -> bytes:
     """A line with a number fewer, twice, or elsewhere."""
     lines = content.split(b"\n")
