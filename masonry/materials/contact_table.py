@@ -8,6 +8,8 @@ from masonry.materials.contact_data import CHARACTERISTIC, MEAN, ContactData
 from masonry.materials.joint_values import JointNumbers, JointValue, joint_numbers
 
 DIGITS = 6
+TOGETHER = {"shear_stiffness": "normal_stiffness", "tan_residual_friction_angle": "tan_friction_angle"}
+"""Keys that a sweep varies with another one."""
 HEAD = "# Made by `masonry contact`: look at each line, vary what has a range."
 
 
@@ -42,6 +44,29 @@ class ContactTable(Mapping[str, Any]):
         """Key -> least and largest value (SI) between which a sensitivity should vary it."""
         values = self.numbers.joint
         return {f"contact.{self.group}.{one.key}": (one.low, one.high) for one in values if one.high > one.low}
+
+    def hypercube(self, samples: int = 10, seed: int = 1) -> dict[str, Any]:
+        """What `masonry.sweep` varies of a scene with this table: a Latin hypercube over its ranges.
+
+        The shear stiffness goes with the normal one, and the residual friction with that of the intact joint, which it
+        may not exceed.
+        """
+        group = f"contact.{self.group}"
+        values = {one.key: one for one in self.numbers.joint}
+        settings = {
+            f"{group}.{key}": {"times": values[key].value / values[of].value, "of": f"{group}.{of}"}
+            for key, of in TOGETHER.items()
+            if key in values
+        }
+        spans = {
+            f"{group}.{key}": {
+                "from": _as_text(one._replace(value=one.low)),
+                "to": _as_text(one._replace(value=one.high)),
+            }
+            for key, one in values.items()
+            if key not in TOGETHER and one.high > one.low
+        }
+        return {"settings": settings, "latin_hypercube": {"samples": samples, "seed": seed, **spans}}
 
     @property
     def tables(self) -> dict[str, Any]:

@@ -5,7 +5,7 @@ import math
 from typing import Any
 
 from masonry.errors import SceneError, nearest
-from masonry.quantity import KINDS, convert
+from masonry.quantity import KINDS, convert, is_unit_weight
 from masonry.sweeps.read import Sweep, is_number, value_of
 
 MOST, MOST_VALUES = 100_000, 5_000_000
@@ -99,10 +99,15 @@ def _between(low: Any, high: Any, log: bool, where: str) -> Any:
 
 
 def si(value: Any, where: str) -> tuple[float, str]:
-    """A number, or a quantity such as "0.5 MPa", as an SI value and its unit ("" for a number). Raises SceneError."""
+    """A number, or a quantity such as "0.5 MPa", as an SI value and its unit ("" for a number). Raises SceneError.
+
+    A stress per length has the unit of a unit weight and is none: where a density is wanted, it will be read as one.
+    """
     if is_number(value):
         return float(value), ""
     for kind, (_, unit, _) in KINDS.items():
+        if kind == "density" and is_unit_weight(value):
+            continue
         try:
             return convert(value, kind, "this"), unit
         except ValueError:

@@ -97,6 +97,15 @@ def test_ranges_hold_the_values_and_are_those_of_keys_of_the_scene():
         assert low * (1 - 1e-5) <= value <= high * (1 + 1e-5), key
 
 
+def test_a_sweep_varies_what_has_a_range_and_every_sample_is_a_scene(tmp_path):
+    table = masonry.contact("couplet", **CODE)
+    scene = masonry.load("couplet", {"drive.accuracy": "10 %"}).with_(table)
+    sweep = masonry.sweep(scene, table.hypercube(samples=4), tmp_path / "sweep", workers=0)
+    assert len(sweep.rows) == 4 and {row["status"] for row in sweep.rows} == {"OK"}
+    peaks = [row["peak_stress_pa"] for row in sweep.rows]
+    assert min(peaks) > 0.2e6 + 0.4 * 0.5e6 and max(peaks) < 0.5e6 + 0.8 * 0.5e6
+
+
 def test_a_whole_table_that_is_set_takes_the_assumptions_about_the_old_one_with_it():
     scene = masonry.load("couplet")
     assert "contact.unit_unit.tensile_strength" in scene.assumptions

@@ -48,6 +48,16 @@ def test_a_factor_multiplies_the_value_of_the_scene_and_keeps_its_unit(sweep):
     assert [run.times for run in runs] == [{ENERGY: f, FRICTION: 2.0} for f in (0.5, 1.0, 2.0)]
 
 
+def test_stiffnesses_and_unit_weights_have_one_unit_and_both_can_vary(sweep):
+    stiffness, density = "contact.unit_unit.normal_stiffness", "material.units.density"
+    spans = f'"{stiffness}" = {{from = "100 GPa/m", to = "200 GPa/m"}}\n'
+    spans += f'"{density}" = {{from = "17 kN/m^3", to = "19 kN/m^3"}}\n'
+    runs = plan(sweep(f"[latin_hypercube]\nsamples = 3\nseed = 1\n{spans}"))
+    assert all(text.endswith(" Pa/m") for text, _ in values(runs, stiffness, density))
+    runs = plan(sweep(f'[grid]\n"{stiffness}" = {{times = [0.5, 2]}}'))
+    assert len(runs) == 2
+
+
 def test_a_key_can_follow_another_key_of_the_same_run(sweep):
     runs = plan(sweep(f'"{COHESION}" = {{times = 1.5, of = "{STRENGTH}"}}\n[grid]\n"{STRENGTH}" = {{times = [1, 2]}}'))
     assert [float(v.removesuffix(" Pa")) for (v,) in values(runs, COHESION)] == pytest.approx([0.87e6, 1.74e6])
