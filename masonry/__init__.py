@@ -178,8 +178,9 @@ def limit(
     crushing  compressive strength of the joints, "5 MPa" or Pa
     sides     of the pyramids that take the place of friction cones in space; 0 for cones
     points    "corners" of the joints, or the contact points of the "scene"
-    What comes back prints as `masonry limit` does; `.factor`, `.velocity`, `.thrust()`, `.save(folder)`. Raises
-    SceneError, in one sentence, for what cannot stand, what nothing loads, and what has no limit.
+    What comes back prints as `masonry limit` does; `.factor`, `.velocity`, `.thrust()`, `.save(folder)`; of a vehicle
+    that travels `.envelope`, its factors over its positions. Raises SceneError, in one sentence, for what cannot stand,
+    what nothing loads, and what has no limit.
 
     >>> arch = masonry.limit("arch-tilted")
     >>> print(f"{arch.factor:.4f}")  # the tangent of the tilt

@@ -96,7 +96,7 @@ def _positions(envelope: FactorEnvelope) -> list[str]:
     return [
         f"{len(position)} positions from {position.min():.4g} m to {position.max():.4g} m; between them no mechanism "
         f"of theirs gives less, to {max(off, 1e-6):.0e}",
-        f"a run there: --set 'vehicle.position={position[envelope.least]:.4f} m'{lead} --set 'limit.accuracy=1 %'",
+        f"a run there: --set 'vehicle.position={position[envelope.least]:.4f} m'{lead} --set limit.accuracy=0.01",
     ]
 
 
