@@ -15,7 +15,7 @@ PLACES = {
     **{"quiet.wave": "`[ground]`", "quiet.wave.made": "`[ground.made]`"},
     **dict.fromkeys(("specimen.cells", "specimen.mortar.cells", "specimen.core"), "Cells in place of a grid"),
     **{"specimen.mortar": 'kind = "couplet"', "specimen.opening": 'kind = "wall"', "specimen.box": 'kind = "boxes"'},
-    **{"specimen.arch": 'kind = "bridge"', "specimen.pier": 'kind = "bridge"'},
+    **{"specimen.arch": 'kind = "bridge"', "specimen.pier": 'kind = "bridge"', "specimen.slab": "Slabs"},
     **{"contact": "Keys", "scatter.GROUP": "`[scatter]`"},
 }
 """Heading of the page below which a table stands, where that is not the name of the table."""
