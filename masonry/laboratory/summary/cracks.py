@@ -68,11 +68,11 @@ def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict
 def compressions(assembly: Assembly, outcome: Outcome) -> dict[str, float]:
     """Pa by contact group, the largest compression of a contact or of a point of patches at the rows."""
     model, most = assembly.model, outcome.found
-    pressed = {
-        name: float(most["compression"][model.group == g].max(initial=0.0)) for g, name in enumerate(model.group_names)
-    }
+    joints = most.get("compression", np.zeros(len(model.group)))
+    pressed = {name: float(joints[model.group == g].max(initial=0.0)) for g, name in enumerate(model.group_names)}
     if assembly.pairs is not None:
-        for name, compression in zip(assembly.pairs.names, most["patch_compression"].tolist(), strict=True):
+        names = assembly.pairs.names
+        for name, compression in zip(names, most.get("patch_compression", np.zeros(len(names))).tolist(), strict=True):
             pressed[name] = max(pressed.get(name, 0.0), compression)
     return pressed
 
