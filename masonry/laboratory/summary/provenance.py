@@ -18,7 +18,14 @@ from masonry.laws.building.plugins import plugin_law
 from masonry.runtime.processors import compiled_for
 
 SHOWING = (
-    *("masonry/__main__.py", "masonry/cli/*", "masonry/sweeps/*", "masonry/comparison/*", "masonry/importing/*"),
+    *(
+        "masonry/__main__.py",
+        "masonry/cli/*",
+        "masonry/functions/*",
+        "masonry/sweeps/*",
+        "masonry/comparison/*",
+        "masonry/importing/*",
+    ),
     *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*", "masonry/reporting/*"),
     *("masonry/statics/*", "masonry/limit_analysis/*"),
 )
