@@ -156,3 +156,9 @@ def test_pictures_draw_bars_and_mark_those_that_yielded():
     assert [key.get_color() for key in bar_keys(scene.bar)] == [ELASTIC]
     assert [key.get_color() for key in bar_keys(scene.bar, np.array([True, False]))] == [ELASTIC, YIELDED]
     assert bar_keys(()) == []
+
+
+def test_an_end_in_space_does_not_move_with_the_ground():
+    bar = {"ends": [["0 m", "0 m", "0 m"], ["0 m", "0 m", "9 m"]], "area": "1 cm^2", "young_modulus": "1 GPa"}
+    with pytest.raises(SceneError, match=r"bar\.0\.fixed_end.* stays in space while \[ground\] moves the supports"):
+        load("block-on-ground", {"ground.as": "base", "bar": [bar | {"fixed_end": "second"}]})
