@@ -22,13 +22,13 @@ def empty_folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.parametrize("page", [page for page, found in PAGES.items() if found])
+@pytest.mark.parametrize("page", [page for page, listed in PAGES.items() if listed])
 def test_the_code_of_a_page_runs(page, empty_folder):
     Reader(page, PAGES[page], empty_folder).read(slow=False)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", [page for page, found in PAGES.items() if any(block.slow for block in found)])
+@pytest.mark.parametrize("page", [page for page, listed in PAGES.items() if any(block.slow for block in listed)])
 def test_the_code_of_a_page_runs_with_what_is_slow(page, empty_folder):
     Reader(page, PAGES[page], empty_folder).read(slow=True)
 
