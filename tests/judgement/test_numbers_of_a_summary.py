@@ -56,8 +56,12 @@ def summary(
             rows[key][row] = value
     looks = ("unbalanced", "still_moving", "of_a_block", "energy_of_a_block", "block")
     observed = {key: np.zeros(8) for key in (*looks, "rotation", "overlap", "slip", "widest")}
-    found = {"work_of_loads": np.array([0.5]), "work_of_loads_settling": np.array([0.5]), "mode_2_over_law": 1.0}
-    found["compression"] = np.zeros(4)
+    found = {
+        "work_of_loads": np.array([0.5]),
+        "work_of_loads_settling": np.array([0.5]),
+        "mode_2_over_law": 1.0,
+        "compression": np.zeros(4),
+    }
     nothing = np.zeros(6)
     standing = Standing(5000, 1e-3, np.zeros((3, 6)), np.zeros((1, 6)), nothing, nothing, np.zeros((4, 3)))
     outcome = Outcome(
