@@ -3,6 +3,7 @@
 import pytest
 from matplotlib.figure import Figure
 
+from masonry.scene import load
 from masonry.sweeps.job import Job
 from masonry.sweeps.pictures import sweep_curves as sweep_picture
 from masonry.sweeps.planned_runs import Planned
@@ -75,3 +76,21 @@ class Quiet:
 def test_the_colour_shows_the_key_that_varies(runs, label, different):
     name, values = sweep_picture.coloured_by(runs)
     assert name == label and len(set(values)) == different
+
+
+@pytest.mark.parametrize(
+    ("scene", "across", "up"),
+    [
+        ("couplet", "displacement [mm]", "stress [MPa]"),
+        ("wall-tilted", "step", "load factor"),
+        ("arch-spread", "displacement [mm]", "stress [MPa]"),
+        ("rubble-pile", "time [s]", "kinetic energy [J]"),
+        ("block-rocking", "time [s]", None),
+    ],
+)
+def test_what_no_drive_moves_is_drawn_by_its_load_or_over_time(scene, across, up):
+    """Its curve.csv has no columns of a drive."""
+    pair = sweep_picture._axes_of(Planned(Job(scene), {}, {}))
+    gauges = [f"{gauge.name} [mm]" for gauge in load(scene).gauge]
+    assert pair[1].label == (up or gauges[0])
+    assert pair[0].label == (gauges[0] if up == "load factor" and gauges else across)

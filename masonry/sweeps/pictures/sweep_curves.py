@@ -37,8 +37,7 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
 
 
 def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "Figure":
-    """Stress against displacement of every run that came to its end; where the ground moves, the first gauge over
-    time."""
+    """A line for every run that came to its end, along the axes that the first of them has."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(10, 6), layout="constrained")
@@ -131,18 +130,27 @@ class _Axis(NamedTuple):
     factor: float
 
 
+TIME, STEP = _Axis("time", "time [s]", 1.0), _Axis("step", "step", 1.0)
 PUSHED = _Axis("displacement", "displacement [mm]", MILLI), _Axis("stress", "stress [MPa]", MEGA)
+FACTOR, KINETIC = _Axis("load_factor", "load factor", 1.0), _Axis("kinetic", "kinetic energy [J]", 1.0)
 
 
 def _axes_of(run: Planned) -> tuple[_Axis, _Axis]:
-    """What is drawn against what: of a scene that is shaken, and has a gauge, that gauge over time."""
+    """What is drawn against what: the stress of a drive over its displacement, the factor of a load that grows over the
+    first gauge; else the first gauge over time. Without gauges, steps and the kinetic energy take its place."""
     scene = tomllib.loads(run.job.resolved)
-    if not scene.get("ground") or not scene.get("gauge"):
+    gauges, shaken = scene.get("gauge", []), "ground" in scene
+    if "drive" in scene and not (shaken and gauges):
         return PUSHED
-    gauge = scene["gauge"][0]
+    if "limit" in scene and not shaken:
+        return (_of_gauge(gauges[0]) if gauges else STEP), FACTOR
+    return TIME, (_of_gauge(gauges[0]) if gauges else KINETIC)
+
+
+def _of_gauge(gauge: dict[str, Any]) -> _Axis:
     quantity = gauge.get("quantity", "displacement")
     unit, factor = {"displacement": ("mm", MILLI), "velocity": ("m/s", 1.0)}.get(quantity, ("m/s2", 1.0))
-    return _Axis("time", "time [s]", 1.0), _Axis(gauge["name"], f"{gauge['name']} [{unit}]", factor)
+    return _Axis(gauge["name"], f"{gauge['name']} [{unit}]", factor)
 
 
 def _curve(path: Path, pair: tuple[_Axis, _Axis]) -> tuple[np.ndarray, np.ndarray]:
