@@ -156,9 +156,11 @@ def _set_factor(
 def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
     """The factor where what slides does not rise, with what the result says of how it was found."""
     if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
+        dry = loads.steady.any() or contacts.is_bar.any()
+        cure = "let the weight grow sideways (limit.pattern = 'weight')" if dry else "add --no-strength"
         raise SceneError(
-            "a tilt without dilation is for dry joints under weight alone; leave out --no-dilation, "
-            "or add --no-strength"
+            "a tilt without dilation is for dry joints under weight alone, without bars; leave out --no-dilation, "
+            f"or {cure}"
         )
     flat = without_dilation(loads.bodies, contacts, method, _range(loads))
     solution = flat.solution
