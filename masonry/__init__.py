@@ -152,7 +152,11 @@ def run(
 
 def report(result: "Result | str | Path", path: "str | Path", *, overwrite: bool = False) -> "Path":
     """Write a result, or a folder of results, as one page (.html) for others; overwrite: a file that is not ours too.
-    Raises SceneError for another suffix, for what is no result, and where such a file stands."""
+    Raises SceneError for another suffix, for what is no result, and where such a file stands.
+
+    >>> masonry.report(masonry.run("couplet"), "couplet.html").name
+    'couplet.html'
+    """
     from masonry.reporting.run_report import report_of
 
     return report_of(result, path, overwrite)
