@@ -116,7 +116,7 @@ WRONG_POINTS = ("1 of 6 and 1 more", "4 of 6", "5 of 6 and 1 more")
         ({"confinement": []}, "must be a list of values"),
         ({"confinemen": ["0.1 MPa"]}, "did you mean 'confinement'"),
         ({"latin_hypercube": {"samples": 0, "law": {"values": ["linear"]}}}, "samples: must be a whole number from 1"),
-        ({"confinement": [object()]}, "is no value of a scene"),
+        ({"confinement": [{1.0}]}, "is no value of a scene"),
         ({"grid": {"law": ["linear"]}, "list": [{"law": "brittle"}]}, r"law is given in \[\[list\]\] and in \[grid\]"),
     ],
     ids=str,
