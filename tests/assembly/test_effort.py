@@ -37,7 +37,7 @@ STEPS = {
     "prism-in-compression": 8068,
     "rubble-pile": 1052880,
     "shear-wall": 102386,
-    "shear-wall-200": 90687,
+    "shear-wall-200": 93386,
     "shear-wall-flexure": 109437,
     "shear-wall-size": 31446,
     "shear-wall-stones": 52666,
