@@ -9,7 +9,7 @@ from masonry.curves.ledger import draw_ledger
 from masonry.curves.settling_curve import COLOURS, SETTLED_TIME, movements
 from masonry.pictures.labels import key_beside
 from masonry.pictures.style import heading, plain, tidy
-from masonry.rows.columns import GRAVITY, gauges_of
+from masonry.rows.columns import GRAVITY, RATES, gauges_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -18,8 +18,9 @@ SHOWN = {
     "m": ("displacement [mm]", 1e3),
     "m/s": ("velocity [m/s]", 1.0),
     "m/s2": ("acceleration [g]", 1.0 / GRAVITY),
+    "N": ("force of bars [kN]", 1e-3),
 }
-"""By unit of a gauge: the label of its panel, and the factor from SI to what that says."""
+"""By unit of a gauge or of a bar that has a name: the label of its panel, and the factor from SI to what that says."""
 
 
 class TimeLine(NamedTuple):
@@ -35,7 +36,8 @@ def is_over_time(result: "ResultData") -> bool:
     """Whether a result is drawn over the time: the scene says so, the ground moves, or it has gauges of velocities or
     accelerations."""
     asks = asks_for_time(result) and (not result.has_drive or bool(drawn_gauges(result)))
-    return asks or (not result.has_drive and (result.is_shaken or bool(result.history.units)))
+    has_rates = not set(RATES.values()).isdisjoint(result.history.units.values())
+    return asks or (not result.has_drive and (result.is_shaken or has_rates))
 
 
 def asks_for_time(result: "ResultData") -> bool:
@@ -53,12 +55,16 @@ def drawn_gauges(result: "ResultData") -> tuple[str, ...]:
 
 
 def time_lines(result: "ResultData") -> list[TimeLine]:
-    """What is drawn: gauges that the scene's curve names, else all; the top of the specimen where there are none."""
-    history = result.history
-    named = drawn_gauges(result) or gauges_of(history.rows)
-    if named:
-        return [TimeLine(name, history.rows["step"], history.rows[name], history.unit(name)) for name in named]
-    return [TimeLine(name, steps, path, "m") for name, (steps, path) in movements(result).items()]
+    """What is drawn: gauges and bars that the scene's curve names, else all; the top of the specimen where no gauge
+    is."""
+    history, named = result.history, drawn_gauges(result)
+    lines = [
+        TimeLine(name, history.rows["step"], history.rows[name], history.unit(name))
+        for name in named or gauges_of(history.rows)
+    ]
+    if named or any(line.unit != "N" for line in lines):
+        return lines
+    return [*(TimeLine(name, steps, path, "m") for name, (steps, path) in movements(result).items()), *lines]
 
 
 def since(result: "ResultData", steps: np.ndarray) -> np.ndarray:

@@ -58,6 +58,15 @@ def test_without_a_gauge_the_block_that_moves_most_is_drawn_to_the_side_to_which
     assert curve.get_lines()[1].get_xdata()[-1] == pytest.approx(0.3)
 
 
+def test_a_bar_with_a_name_is_no_gauge_across():
+    named, plain = grown(tie=np.linspace(0.0, 5e4, 101)), grown()
+    named.history.units = {"tie": "N"}
+    (curve, ledger), (as_before, _) = curve_figure(named).axes, curve_figure(plain).axes
+    assert curve.get_ylabel() == "load factor [1]" and ledger.get_xlabel() == "block 7 of 'top', x [mm]"
+    for line, other in zip(curve.get_lines(), as_before.get_lines(), strict=True):
+        np.testing.assert_array_equal(line.get_xydata(), other.get_xydata())
+
+
 def test_where_nothing_fell_all_is_at_rest_and_the_words_say_it():
     curve = curve_figure(grown(falls=False, sway=np.linspace(0.0, 1e-4, 101))).axes[0]
     assert [line.get_label() for line in curve.get_lines() if not line.get_label().startswith("_")] == ["at rest"]

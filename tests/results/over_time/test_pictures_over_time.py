@@ -5,6 +5,7 @@ import pytest
 
 from masonry.movies.movie import paths_of
 from tests.results.sample import sample
+from tests.results.test_pictures import resting
 from tests.results.test_pictures_in_real_time import falling
 
 
@@ -36,6 +37,18 @@ def test_a_curve_draws_the_gauges_that_it_names():
     result = shaken('[curve]\nx = "time"\ny = ["head", "sway"]\n')
     *panels, _ = result.plot().axes
     assert [axes.get_ylabel() for axes in panels] == ["displacement [mm]", "acceleration [g]"]
+
+
+def test_a_bar_with_a_name_has_a_panel_in_kn_and_takes_nobodys_place():
+    result = shaken('[curve]\nx = "time"\ny = "tie"\n')
+    result.history.rows["tie"] = np.linspace(0.0, 5e3, len(result.history.rows["step"]))
+    result.history.units["tie"] = "N"
+    force, _ = result.plot().axes
+    assert force.get_ylabel() == "force of bars [kN]" and force.get_lines()[0].get_ydata()[-1] == pytest.approx(5.0)
+    result = resting(tie=result.history.rows["tie"])
+    result.scene_toml, result.history.units = '[curve]\nx = "time"\n', {"tie": "N"}
+    moved, _, _ = result.plot().axes
+    assert moved.get_ylabel() == "displacement [mm]" and moved.get_lines()[0].get_label().startswith("top")
 
 
 def test_a_movie_shows_lengths_beside_its_picture_and_no_acceleration_in_mm():
