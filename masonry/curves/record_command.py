@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from masonry.errors import SceneError
-from masonry.runtime.named_file import require_free
+from masonry.runtime.named_file import require_free, require_picture
 from masonry.runtime.shell import OK, Parser
 
 if TYPE_CHECKING:
@@ -34,8 +34,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message."""
     words = parser().parse_args(arguments)
     plot = None if words.plot is None else Path(words.plot or words.file.with_suffix(".png"))
-    if plot is not None and plot.suffix != ".png":
-        raise SceneError(f"--plot '{plot}': the picture is a .png file; nearest: '{plot.stem or 'record'}.png'")
+    if plot is not None:
+        require_picture(plot, "--plot")
     keys = _keys(words.keys)
     require_csv(words.file, words.overwrite)
     if plot is not None:

@@ -60,7 +60,7 @@ def test_the_picture_is_drawn_where_it_is_asked_for_and_by_default_beside(packag
     assert said(capsys, "bilinear", "--plot").splitlines()[-1] == "law-bilinear.png"
     assert said(capsys, "linear", "--plot", "mine.png").splitlines()[-1] == "mine.png"
     pixels = imread(tmp_path / "law-bilinear.png")
-    assert pixels.shape[:2] == (960, 1320) and pixels[..., :3].std() > 0.05
+    assert pixels.shape[:2] == (1040, 1360) and pixels[..., :3].std() > 0.05
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,7 @@ def test_a_run_that_is_done_leaves_results_only_and_says_so_when_resumed(tmp_pat
     assert run(tmp_path / "out") == 0
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert "summary.json" in names and not {"checkpoint", ".lock"} & names
-    assert resume(tmp_path / "out") == 0
+    assert main(["resume", str(tmp_path / "out")]) == 0
     assert capsys.readouterr().out == f"the run in '{tmp_path / 'out'}' is finished\n"
 
 

@@ -86,8 +86,8 @@ def test_bad_input_ends_in_one_message(name, room, campaign):
     )(given(kind.inputs)(ends_well))()
 
 
-def test_nineteen_kinds_are_known():
-    assert len(KINDS) == 19
+def test_twenty_one_kinds_are_known():
+    assert len(KINDS) == 21
 
 
 @pytest.mark.parametrize(

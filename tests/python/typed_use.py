@@ -12,6 +12,11 @@ from masonry.results.data import Peak
 from masonry.scene import Scene
 from masonry.sweeps.sweep_run import SweepResult
 
+BLOCK = """o block
+v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1
+f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4
+"""
+
 
 def use(folder: Path) -> float:
     """Load, change, look, run, read and draw."""
@@ -29,11 +34,12 @@ def use(folder: Path) -> float:
     assert_type(result.plot(folder / "curve.png"), Figure)
     assert_type(result.save(folder), dict[str, Path])
     assert_type(masonry.limit("arch-tilted", dilation=False), LimitResult)
-    pressures = masonry.sweep(scene, {"confinement": ["0.1 MPa", "0.2 MPa"]}, folder, workers=0)
+    pressures = masonry.sweep(scene, {"confinement": ["0.1 MPa", "0.2 MPa"]}, folder / "sweep", workers=0)
     assert_type(pressures, SweepResult)
     assert_type(pressures.result(0), Result)
     assert_type(masonry.load({"base": "couplet"}), Scene)
-    assert_type(masonry.import_blocks("dome.obj").scene, Scene)
+    (folder / "block.obj").write_text(BLOCK)
+    assert_type(masonry.import_blocks(folder / "block.obj").scene, Scene)
     assert_type(masonry.export(scene, folder / "couplet.step"), Path)
     assert_type(masonry.resume(folder), Result)
     again = masonry.load_result(folder)

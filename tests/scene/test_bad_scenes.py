@@ -74,7 +74,7 @@ BAD = {
         "",
         "[specimen]",
         "specimen.kind",
-        ["couplet, prism, wallette, bending, arch, vault"],
+        ["couplet, prism, wallette, bending, arch, bridge, vault"],
     ),
     "rate and steps": (PACE, 'steps = 4\nrate = "1 mm/s"', "steps", "drive.steps", ["exclude each other"]),
     "accuracy and steps": (PACE, 'steps = 4\naccuracy = "1 %"', "steps", "drive.steps", ["exclude"]),
