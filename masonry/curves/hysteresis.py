@@ -11,7 +11,7 @@ from masonry.pictures.labels import PointLabel, key_below, key_beside, place_lab
 from masonry.pictures.style import MILLI, heading, plain, tidy
 from masonry.rows.columns import FACTOR
 from masonry.rows.cycles import bounds
-from masonry.rows.peak import before_a_fall
+from masonry.rows.peak import before_a_fall, lowest_row
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -85,10 +85,9 @@ def peak_labels(result: "ResultData", drawn: Loops) -> list[PointLabel]:
     if not result.has_drive or drawn.turning is not drawn.rows["displacement"]:
         return []
     axes, stood = curve_axes(result), result.standing_rows
-    row = int(np.argmin(stood["stress"]))
     sides = [("highest", result.peak.stress, axes.place(stood, result.peak.displacement))]
     if (lowest := summary.lowest_stress_pa) is not None and lowest < 0.0:
-        sides.append(("lowest", lowest, float(axes.across[row])))
+        sides.append(("lowest", lowest, float(axes.across[lowest_row(stood)])))
     return [
         PointLabel(
             f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}",

@@ -124,7 +124,7 @@ class ResultData:
     @property
     def peak(self) -> Peak:
         """`peak.stress` (Pa) and `peak.displacement` (m) of the drive: the largest of all steps, not of rows, before
-        a block had fallen; nan where nothing is driven."""
+        a block had fallen; of a drive that turns back the largest of rows; nan where nothing is driven."""
         if not self.has_drive:
             return Peak(math.nan, math.nan)
         at, stress = self.summary.displacement_at_peak_m, self.summary.peak_stress_pa

@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.errors import SceneError, did_you_mean
 from masonry.rows.history import Frame
-from masonry.rows.peak import peak_row
+from masonry.rows.peak import lowest_row, peak_row
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
@@ -85,7 +85,7 @@ def at_stronger_side(result: "ResultData") -> Frame:
     rows = result.standing_rows
     if not result.summary.cycles or lowest is None or -lowest <= result.peak.stress or not len(rows.get("stress", ())):
         return at_peak(result)
-    return _nearest(result.history.frames, rows["step"][int(np.argmin(rows["stress"]))])
+    return _nearest(result.history.frames, rows["step"][lowest_row(rows)])
 
 
 def _nearest(frames: list[Frame], step: float) -> Frame:

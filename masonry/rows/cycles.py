@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.rows.columns import FACTOR, dissipated_in
-from masonry.rows.peak import only_rises
+from masonry.rows.peak import turns_back
 
 HOME = 1e-9
 """Fraction of the farthest travel within which the drive, or the factor of a load, counts as back at its start."""
@@ -51,7 +51,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
     What dead loads do while they settle is in no cycle.
     """
     place = rows["displacement" if gauge is None else FACTOR]
-    if only_rises(place) or only_rises(-place):
+    if not turns_back(place):
         return []
     ends, at, cycles = bounds(place), _touching(place), []
     for begin, end in zip(ends[:-1], ends[1:], strict=True):

@@ -13,6 +13,11 @@ def only_rises(place: np.ndarray) -> bool:
     return bool(np.all(np.diff(place) >= 0.0))
 
 
+def turns_back(place: np.ndarray) -> bool:
+    """Whether places (n,) of the drive go to and fro."""
+    return not (only_rises(place) or only_rises(-place))
+
+
 def before_a_fall(rows: dict[str, np.ndarray], falls: float | None) -> dict[str, np.ndarray]:
     """Rows up to the last one at which a load was borne, where it falls at a factor: how far a fall is followed is
     chance."""
@@ -33,11 +38,24 @@ def before_a_collapse(rows: dict[str, np.ndarray], step: float | None) -> dict[s
 
 def peak_row(rows: dict[str, np.ndarray]) -> int:
     """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows from
-    the last one on before the drive moves."""
-    moved = np.flatnonzero(rows["displacement"] != 0.0)
-    begun = max(int(moved[0]) - 1, 0) if len(moved) else 0
+    the last one on before the drive moves; of a drive that turns back the highest row itself."""
+    begun = _before_the_drive(rows)
     stress = rows["stress"][begun:]
+    if turns_back(rows["displacement"]):
+        return begun + int(np.argmax(stress))
     return begun + int(np.argmax(stress >= reached(float(stress.max()))))
+
+
+def lowest_row(rows: dict[str, np.ndarray]) -> int:
+    """The row of the lowest stress, of the same rows."""
+    begun = _before_the_drive(rows)
+    return begun + int(np.argmin(rows["stress"][begun:]))
+
+
+def _before_the_drive(rows: dict[str, np.ndarray]) -> int:
+    """The last row before the drive moves."""
+    moved = np.flatnonzero(rows["displacement"] != 0.0)
+    return max(int(moved[0]) - 1, 0) if len(moved) else 0
 
 
 def reached(peak: float) -> float:

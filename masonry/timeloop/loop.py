@@ -260,6 +260,7 @@ class Loop:
             history.rows[INPUT_ENERGY] = energy_in
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
+        self.outcome.take_extremes_of_rows()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
         self.outcome.loading, self.outcome.events = self.loading.outcome(), self.loading.events

@@ -11,7 +11,7 @@ from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
-from masonry.rows.peak import before_a_collapse
+from masonry.rows.peak import before_a_collapse, lowest_row, peak_row, turns_back
 from masonry.runtime.processors import Seconds
 from masonry.timeloop.gauge_columns import UniformGround
 
@@ -19,9 +19,9 @@ from masonry.timeloop.gauge_columns import UniformGround
 @dataclass
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step before a block had fallen, the largest force
-    after that (`blow`), and the lowest force; the times; what observers said at each row and of the whole run, by their
-    names for it; what came of the loading; the sudden cracks; the forces from outside and of the contacts at the frames
-    of the peak and of the end.
+    after that (`blow`), and the lowest force, or both of rows where the drive turned back; the times; what observers
+    said at each row and of the whole run, by their names for it; what came of the loading; the sudden cracks; the
+    forces from outside and of the contacts at the frames of the peak and of the end.
     """
 
     history: History
@@ -47,6 +47,19 @@ class Outcome:
         """The rows at which no block had fallen, and that at which the first one had."""
         fallen = self.found.get("collapse")
         return before_a_collapse(self.history.rows, None if fallen is None else fallen[1])
+
+    def take_extremes_of_rows(self) -> None:
+        """Where the drive turned back, its extremes are rows of the curve: between two of them a blow of one step, as
+        blocks part or meet in a quick passage, may be far off the curve, and is no strength."""
+        rows = self.standing_rows
+        if not turns_back(rows.get("displacement", np.zeros(0))):
+            return
+        peak, lowest = peak_row(rows), lowest_row(rows)
+        force, place = rows["force"], rows["displacement"]
+        self.peak_force, self.displacement_at_peak = float(force[peak]), float(place[peak])
+        self.lowest_force, self.displacement_at_lowest = 0.0, 0.0
+        if force[lowest] < 0.0:
+            self.lowest_force, self.displacement_at_lowest = float(force[lowest]), float(place[lowest])
 
 
 @dataclass(frozen=True)

@@ -115,7 +115,7 @@ def test_readings_at_the_peak_lie_between_its_rows_and_on_a_plateau_the_first_ro
     assert at_peak(rows, np.array([0.0, 0.0, 10.0, 20.0, 30.0]), 2.25) == pytest.approx(22.5)
     assert peak_row(rows) == 3, "within a thousandth; what was before the drive is no peak"
     back = rows | {"displacement": np.array([0.0, 0.0, 1.0, 2.0, 1.0])}
-    assert at_peak(back, np.array([0.0, 0.0, 10.0, 20.0, 30.0]), 1.5) == 20.0
+    assert at_peak(back, np.array([0.0, 0.0, 10.0, 20.0, 30.0]), 1.5) == 30.0, "the highest row"
     assert bounds(np.array([0.0, 1.0, -1.0, 1.0])) == pytest.approx([0.0, 2.5, 3.0])
 
 

@@ -57,6 +57,20 @@ def test_the_peak_is_looked_for_at_each_step_and_counts_where_the_first_was_with
     assert (loop.outcome.peak_force, loop.outcome.displacement_at_peak) == (100.2, 6.0)
 
 
+def test_a_drive_that_turns_back_has_its_extremes_in_rows_of_the_curve():
+    place = np.array([0.0, 1.0, 2.0, 1.0, 0.0, -1.0, -2.0, -1.0])
+    force = np.array([0.0, 99.95, 100.0, 40.0, -10.0, -60.0, -50.0, 0.0])
+    rows = {"step": np.arange(8.0), "displacement": place, "force": force, "stress": 10.0 * force}
+    outcome = Outcome(History(rows), 140.0, 1.5, lowest_force=-75.0, displacement_at_lowest=-0.5)
+    outcome.take_extremes_of_rows()
+    assert (outcome.peak_force, outcome.displacement_at_peak) == (100.0, 2.0), "neither between rows, nor near to it"
+    assert (outcome.lowest_force, outcome.displacement_at_lowest) == (-60.0, -1.0)
+    outcome.history.rows = {key: values[:3] for key, values in rows.items()}
+    outcome.peak_force = 140.0
+    outcome.take_extremes_of_rows()
+    assert outcome.peak_force == 140.0, "a drive that goes one way"
+
+
 def test_the_frame_of_the_peak_is_the_first_of_those_within_a_thousandth_of_it():
     loop, kept, taken = loop_of(), [], []
     for number, stress in enumerate((50.0, 99.95, 99.951, 100.0, 100.04, 100.2)):
