@@ -142,6 +142,14 @@ def test_an_axle_tips_a_slab_that_hangs_over_where_its_patch_comes_to_the_edge(t
     assert result.scene.vehicle.position == pytest.approx(1.35, abs=1e-5)
 
 
+@pytest.mark.parametrize(("place", "arm"), [("1.4 m", 0.4), ("1.39 m", 0.39)], ids=["at the end", "before it"])
+def test_an_axle_that_is_a_line_presses_whole_at_the_end_of_the_slab(tmp_path, place, arm):
+    (tmp_path / "overhang.toml").write_text(OVERHANG)
+    keys = {"vehicle.patch": "0 m", "vehicle.position": place}
+    factor = masonry.limit(load(tmp_path / "overhang.toml", keys)).factor
+    assert factor == pytest.approx(8.4 * 0.3 / arm, rel=1e-5)
+
+
 def test_a_specimen_far_from_the_origin_and_turned_about_has_the_same_factor(one_axle):
     far = {"specimen.turned": {"about": "z", "angle": "180 deg", "through": ["500 m", "0 m", "0 m"]}}
     x = 1000.0 + one_axle.scene.vehicle.position

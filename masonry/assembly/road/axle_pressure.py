@@ -62,10 +62,14 @@ class RoadBed:
         return self.level - float(height[(first - eps <= x) & (x <= last + eps)].max())
 
     def width_at(self, x: float, vehicle: Vehicle) -> tuple[float, float]:
-        """m, from where to where an axle at x presses on the faces."""
+        """m, from where to where an axle at x presses on the faces; one that is a line at their end does so there."""
         half = 0.5 * vehicle.patch + self.depth_at(x) * float(np.tan(vehicle.spread))
-        half = max(half, NARROW * (self.high - self.low))
-        return x - half, x + half
+        least = NARROW * (self.high - self.low)
+        if half >= least:
+            return x - half, x + half
+        if self.low - least <= x <= self.high + least:
+            x = float(np.clip(x, self.low + least, self.high - least))
+        return x - least, x + least
 
     def pressure(self, vehicle: Vehicle, position: float, direction: Way) -> Pressure:
         """Of all axles, where the vehicle stands at a position (m) and leads in a direction."""
