@@ -28,7 +28,7 @@ def let_grow(
         pressure = pressure_of(scene, specimen, joints, layout)
         loads, points = {"limit": load_of(pressure, layout)}, _points_below(pressure, layout)
     else:
-        loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)[0]}
+        loads = {"limit": growing_load(specimen, joints, layout, limit, density, gravity)}
         points = _points_of(specimen, joints, layout, limit)
     into.at_points["limit"] = points
     if limit.pattern == "tilt":
@@ -92,16 +92,16 @@ def gravity_of(scene: Scene) -> np.ndarray:
 
 def growing_load(
     specimen: Specimen, joints: Joints, layout: Layout, limit: LimitLoad, density: np.ndarray, gravity: np.ndarray
-) -> tuple[Load, str]:
-    """The load by kind, and what it is in words; the force of a drive is no load. Raises SceneError."""
+) -> Load:
+    """The load by kind; the force of a drive is no load. Raises SceneError."""
     load: Load = dict.fromkeys(KINDS)
     if limit.pattern == "weight":
         towards = _sign(limit.direction) * np.linalg.norm(gravity) * np.eye(3)[_axis(limit.direction)]
         add_gravity(layout, load, density, towards)
-        return load, f"the weight along {limit.direction}"
+        return load
     if limit.pattern == "tilt":
         add_gravity(layout, load, density, np.cross(_sign(limit.about) * np.eye(3)[_axis(limit.about)], gravity))
-        return load, f"gravity turned about {limit.about}: the factor is the tangent of the angle"
+        return load
     assert limit.on is not None
     chosen, faces = select(specimen, joints, limit.on, "limit.on")
     if limit.pattern == "traction":
@@ -111,13 +111,13 @@ def growing_load(
                 "a force acts on whole blocks"
             )
         add_traction(specimen.blocks, layout, load, Push(faces, np.array(limit.stress)))
-        return load, f"the traction on '{limit.on}'"
+        return load
     if faces is not None:
         raise SceneError(f"limit.on = '{limit.on}': a force acts on whole blocks; a traction acts on a face")
     if limit.at is not None:
         _require_in(specimen, chosen, limit.on, np.array(limit.at))
     _add_force(layout, load, chosen, np.array(limit.force), limit.at)
-    return load, f"the force on '{limit.on}'"
+    return load
 
 
 def _require_in(specimen: Specimen, chosen: np.ndarray, on: str, at: np.ndarray) -> None:

@@ -157,10 +157,9 @@ def _live(
     if limit.pattern == "vehicle":
         return _below_vehicle(scene, specimen, joints, layout)
     if limit.pattern != "drive":
-        by_kind, words = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))
-        load = by_kind["rigid"]
+        load = growing_load(specimen, joints, layout, limit, density, gravity_of(scene))["rigid"]
         assert load is not None
-        return _about_axes(load, layout), words
+        return _about_axes(load, layout), limit.words
     assert scene.drive is not None and together is not None
     live = np.zeros((len(density), 6))
     blocks = together[:, scene.drive.axis]
@@ -175,11 +174,7 @@ def _below_vehicle(scene: Scene, specimen: Specimen, joints: Joints, layout: Lay
     if vehicle.position is None:
         raise SceneError("vehicle.position: missing; this analysis loads one place; give it, for example '1.3 m'")
     load = downward(pressure_of(scene, specimen, joints, layout), layout.centroid)
-    number = len(vehicle.axles)
-    axles = "the axle" if number == 1 else f"the {number} axles"
-    leads = "" if vehicle.is_symmetric else f", which leads along {vehicle.directions[0]}"
-    words = f"{axles} of the vehicle{leads}, {vehicle.total * 1e-3:.6g} kN in all, at x = {vehicle.position:.4f} m"
-    return load, words
+    return load, vehicle.words
 
 
 def downward(pressure: Pressure, centre: np.ndarray) -> np.ndarray:

@@ -1,6 +1,8 @@
 """What the page of a run says: specimen, curve, cracks, results, verdict, doubts, assumptions, and what was put in."""
 
 from collections.abc import Callable
+from contextlib import suppress
+from math import degrees, dist
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +18,9 @@ from masonry.pictures.style import write_picture
 from masonry.reporting.report_page import Picture, ReportPage, page_text
 from masonry.runtime.named_file import require_free
 from masonry.runtime.tables import Rows
+from masonry.scene.tables.limit import LimitLoad
+from masonry.scene.tables.road.vehicle import Vehicle
+from masonry.scene.tables.specimens.bar import BarTable
 
 LARGEST = 3_000_000
 """Bytes of a picture of lines and letters; a larger one becomes one of points."""
@@ -51,7 +56,7 @@ def report_of(result: Result | str | Path, path: str | Path, overwrite: bool) ->
 def report_page(result: Result) -> ReportPage:
     """All that the page says."""
     summary, table = result.summary, result.scene_table
-    assumptions = table.get("assumptions", {})
+    assumptions, load = table.get("assumptions", {}), load_words(table)
     return ReportPage(
         title=result.title,
         made=f"scene {summary.scene or 'without a name'}, {result.specimen.blocks.count} blocks, "
@@ -60,7 +65,11 @@ def report_page(result: Result) -> ReportPage:
         verdict=result.verdict,
         trust=result.trust,
         pictures=[picture for one in PICTURES if (picture := one.of(result)) is not None],
-        results=[(word, lines) for word, lines in summary_rows(summary) if word not in SAID_APART],
+        results=[
+            (word, [f"of {load}", *lines] if load and word == "load factor" else lines)
+            for word, lines in summary_rows(summary)
+            if word not in SAID_APART
+        ],
         doubts=[(doubt.sentence, doubt.advice) for doubt in result.doubts],
         criteria=len(criteria()),
         assumptions=[(str(key), [str(value)]) for key, value in assumptions.items()],
@@ -112,8 +121,17 @@ def picture_bytes(figure: Any) -> tuple[str, bytes]:
         return form, path.read_bytes()
 
 
+def load_words(table: dict[str, Any]) -> str:
+    """What a load factor multiplies, as `masonry limit` says it; nothing where the scene does not say."""
+    try:
+        limit = LimitLoad.model_validate(table["limit"])
+        return Vehicle.model_validate(table["vehicle"]).words if limit.pattern == "vehicle" else limit.words
+    except (KeyError, ValueError):
+        return ""
+
+
 def values_of(result: Result) -> Rows:
-    """The numbers of joints and materials, by group; of groups that occur."""
+    """The numbers of joints and materials, by group; of groups that occur; and of bars."""
     rows: Rows = []
     contacts = {result.joint_groups[g] for g in set(result.joint_group.tolist())}
     for name, occur in (("contact", contacts), ("material", set(result.specimen.blocks.groups))):
@@ -122,11 +140,24 @@ def values_of(result: Result) -> Rows:
             if isinstance(values, dict) and group in {*occur, "default"}:
                 words = [f"{key.replace('_', ' ')} {readable(value)}" for key, value in values.items()]
                 rows.append((f"{name} {group}", [", ".join(words)]))
-    return rows
+    bars = result.scene_table.get("bar", [])
+    return [*rows, *(bar_row(k, bar) for k, bar in enumerate(bars) if isinstance(bars, list) and isinstance(bar, dict))]
+
+
+def bar_row(number: int, table: dict[str, Any]) -> tuple[str, list[str]]:
+    """What a bar is: its keys but for its places, in place of which it has a length."""
+    keys = ("area", "strength", "young_modulus", "pretension", "slack", "compression")
+    words = [f"{key.replace('_', ' ')} {readable(table[key])}" for key in keys if table.get(key) is not None]
+    with suppress(ValueError):  # a scene of another version
+        words.insert(0, f"length {readable(f'{dist(*BarTable.model_validate(table).ends)} m')}")
+    several = [f"{table['repeat']} of them"] if table.get("repeat", 1) != 1 else []
+    return f"bar {table.get('name') or number}", [", ".join([*several, *words])]
 
 
 def readable(value: Any) -> str:
-    """A value of a scene with a prefix to its unit: `600000.0 Pa` is 0.6 MPa."""
+    """A value of a scene with a prefix to its unit, an angle in degrees: `600000.0 Pa` is 0.6 MPa."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     if isinstance(value, dict):
         return " and ".join(f"{readable(number)} at {readable(place)}" for place, number in value.items())
     number, _, unit = str(value).partition(" ")
@@ -134,6 +165,10 @@ def readable(value: Any) -> str:
         size = float(number)
     except ValueError:
         return str(value)
+    if unit == "rad":
+        return f"{degrees(size):.6g} deg"
+    if unit == "m^2" and abs(size) < 0.01:
+        return f"{1e6 * size:.6g} mm^2"
     if unit not in PREFIXED:
         return f"{size:.6g} {unit}".strip()
     factor, letter = next((power for power in POWERS if abs(size) >= 0.1 * power[0]), POWERS[-1 if size else 3])

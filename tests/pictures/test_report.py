@@ -86,6 +86,26 @@ def test_what_is_no_scene_any_more_has_a_page_without_the_picture_of_the_specime
     assert {picture.form for picture in report_page(result).pictures} == {"png"}
 
 
+def test_a_load_factor_says_of_what_and_bars_belong_to_the_materials(monkeypatch):
+    monkeypatch.setattr(run_report, "PICTURES", ())
+    result = sample()
+    result.scene_toml = to_toml(masonry.load("wall-tied", {"bar.0.pretension": "1 kN"}))
+    result.summary |= {"collapse_load": {"pattern": "weight", "borne": 0.2, "falls": 0.21, "accuracy": 0.005}}
+    page = report_page(result)
+    lines = dict(page.results)["load factor"]
+    assert lines[0] == "of the weight along -y" and lines[1].startswith("0.2 is borne, 0.21 is not")
+    assert dict(page.put_in)["bar tie"] == [
+        "2 of them, length 2 m, area 113 mm^2, strength 13.3 MPa, young modulus 210 GPa, pretension 1 kN, slack 0 m, "
+        "compression no"
+    ]
+
+
+def test_the_words_of_a_vehicle_are_those_of_its_table():
+    table = {"limit": {"pattern": "vehicle"}, "vehicle": {"on": "deck", "level": "1 m", "axles": ["100 kN"]}}
+    assert run_report.load_words(table) == "the axle of the vehicle, 100 kN in all"
+    assert run_report.load_words({}) == run_report.load_words({"limit": {"pattern": "none"}}) == ""
+
+
 def test_the_command_and_python_write_it_whole_and_never_over_what_is_not_ours(tmp_path, capsys):
     sample().save(tmp_path / "run")
     folder, page = str(tmp_path / "run"), tmp_path / "run" / "report.html"
@@ -110,6 +130,10 @@ def test_the_command_and_python_write_it_whole_and_never_over_what_is_not_ours(t
         ("58.0 N/m", "58 N/m"),
         ("0.0 Pa", "0 Pa"),
         ("0.0016 m", "1.6 mm"),
+        ("0.5585053606381855 rad", "32 deg"),
+        ("0.000113 m^2", "113 mm^2"),
+        ("0.02 m^2", "0.02 m^2"),
+        (False, "no"),
         ("1900.0 kg/m^3", "1900 kg/m^3"),
         (1.01, "1.01"),
         ("secant", "secant"),

@@ -73,6 +73,18 @@ class LimitLoad(Table):
     until: Annotated[float, Given("length", "[-1e5, 1e5]")] | None = None
     history: Annotated[tuple[float, ...] | None, BeforeValidator(read_factors)] = None
 
+    @property
+    def words(self) -> str:
+        """What the factor multiplies; of a drive and of a vehicle their own tables say it."""
+        return {
+            "weight": f"the weight along {self.direction}",
+            "tilt": f"gravity turned about {self.about}: the factor is the tangent of the angle",
+            "traction": f"the traction on '{self.on}'",
+            "force": f"the force on '{self.on}'",
+            "drive": "the force of the drive",
+            "vehicle": "the axles of the vehicle",
+        }[self.pattern]
+
     @model_validator(mode="after")
     def _has_its_keys(self) -> "LimitLoad":
         mine = KEYS[self.pattern]

@@ -60,6 +60,15 @@ class Vehicle(Table):
             return ("x",) if self.is_symmetric else ("x", "-x")
         return (self.direction,)
 
+    @property
+    def words(self) -> str:
+        """What presses, and where it stands, if it does."""
+        number = len(self.axles)
+        axles = "the axle" if number == 1 else f"the {number} axles"
+        leads = "" if self.is_symmetric else f", which leads along {self.directions[0]}"
+        place = "" if self.position is None else f", at x = {self.position:.4f} m"
+        return f"{axles} of the vehicle{leads}, {self.total * 1e-3:.6g} kN in all{place}"
+
     def places(self, position: float, direction: Way = "x") -> np.ndarray:
         """(n,) m, x of each axle, from the first to the last."""
         behind = np.concatenate([[0.0], np.cumsum(self.spacings)])
