@@ -115,6 +115,12 @@ class Surroundings:
         count = len(self.loads)
         return np.zeros(count) if axis is None else self.resultants(model, [1.0] * count)[:, axis]
 
+    def bars_along(self, model: Model, axis: int | None) -> float:
+        """N along an axis, of bars that end in space on the blocks now; 0 without an axis or without such bars."""
+        if axis is None or all(one.name != BARS for one in self.holds):
+            return 0.0
+        return float(forces_of_fixed_ends(model, configuration_of(model).any_size)[axis])
+
     def moved(self, model: Model) -> np.ndarray:
         """(L,) J: what each load at a factor of 1 would have done on the way to where the specimen stands."""
         displacements = {part.name: part.displacements for part in parts_of(model)}

@@ -231,14 +231,16 @@ class Loop:
         return {gauge.name: gauge.look(model, velocities) for gauge in gauges} | forces_of_bars(model)
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
-        """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive
-        count with the support. Forces that hold are added up one after the other, as the step does."""
+        """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive,
+        and bars that end in space, count with the support. Forces that hold are added up one after the other, as the
+        step does."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
         stress, support = (
             sum(float(np.cumsum(body.hold[dofs])[-1]) for body, dofs in bodies) / area * sign
             for bodies in (self.driven, self.supported)
         )
-        support += float(self.loads_along @ load_factors) / area * sign
+        ends_in_space = self.recording.surroundings.bars_along(model, self.recording.axis)
+        support += (float(self.loads_along @ load_factors) + ends_in_space) / area * sign
         return {
             "step": step,
             "time": step * model.dt,

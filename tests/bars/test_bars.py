@@ -162,3 +162,22 @@ def test_an_end_in_space_does_not_move_with_the_ground():
     bar = {"ends": [["0 m", "0 m", "0 m"], ["0 m", "0 m", "9 m"]], "area": "1 cm^2", "young_modulus": "1 GPa"}
     with pytest.raises(SceneError, match=r"bar\.0\.fixed_end.* stays in space while \[ground\] moves the supports"):
         load("block-on-ground", {"ground.as": "base", "bar": [bar | {"fixed_end": "second"}]})
+
+
+@pytest.mark.parametrize("displacements", ["small", "large"])
+def test_what_a_bar_gives_to_its_end_in_space_counts_with_the_supports(displacements):
+    """Of a rod at 45 deg it is half of its stiffness times the displacement. A drive to an accuracy is as fast as where
+    a block holds the other end."""
+    ends = [["0 mm", "0 mm", "0 mm"], ["-2 m", "0 mm", "2 m"]]
+    rod = {"bar.0.ends": ends, "bar.0.strength": None, "bar.0.young_modulus": "200 GPa", "displacements": displacements}
+    drive = {"drive.history": None, "drive.steps": None, "drive.displacement": "0.4 mm", "drive.accuracy": "5 %"}
+    scene = load("block-on-a-bar", rod | drive | {"solver.rows": 50})
+    rock = {"name": "rock", "origin": ["-2.1 m", "-50 mm", "1.95 m"], "size": 3 * ["200 mm"], "unit": 2}
+    boxes = [*scene.resolved()["specimen"]["box"], rock]
+    supports = [*scene.resolved()["support"], {"on": "rock", "fix": "all"}]
+    held = scene.with_({"bar.0.fixed_end": None, "specimen.box": boxes, "support": supports})
+    space, block = masonry.run(scene), masonry.run(held)
+    for result in (space, block):
+        assert abs(result.history.rows["force"][-1]) == pytest.approx(np.sqrt(2.0) * 1e3, rel=1e-3)
+        assert result.summary["reaction_mismatch_max"] < 1e-9
+    assert space.summary["steps"] == block.summary["steps"]
