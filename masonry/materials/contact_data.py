@@ -74,7 +74,9 @@ KEYS: dict[str, Amount | WordChoice | Special] = {
     "joint": _length(0.3e-3, 60e-3, "thickness of the bed joints"),
     "masonry_strength": _strength(0.1e6, 200e6, "compressive strength across bed joints (EN 1052-1)"),
     "masonry_modulus": _modulus(0.02e9, 150e9, "Young's modulus across bed joints (EN 1052-1)"),
-    "triplets": Special("tests.csv", "CSV file of shear tests (EN 1052-3): pressure and shear strength in MPa"),
+    "triplets": Special(
+        "tests.csv", "CSV file of shear tests (EN 1052-3): pressure and shear strength, in MPa or as its heading says"
+    ),
     "cohesion": _strength(0.0, 8e6, "initial shear strength (EN 1052-3)"),
     "friction": Special("0.6", "of the intact joint: a tangent, or an angle such as '31 deg'"),
     "residual_friction": Special("0.5", "of a joint that has slid: a tangent, or an angle"),

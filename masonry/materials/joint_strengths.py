@@ -1,15 +1,19 @@
 """Strengths of a joint with their mean and characteristic values, from tests, or from the tables of Eurocode 6."""
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from masonry.errors import SceneError
 from masonry.materials import eurocode_6
 from masonry.materials.contact_data import CHARACTERISTIC, ContactData
 from masonry.materials.eurocode_6 import CodeStrength
-from masonry.materials.triplets import ShearLine, shear_line
+from masonry.materials.triplets import SPECIMENS, ShearLine, shear_line
 
 CODE_IS_LOW = 2.0
 """Means of tests reach so many times what a table of a code gives, which is low on purpose."""
+
+HIGH_COHESION = 2e6
+"""Pa; thin layers of strong mortar come near."""
 
 
 class CharacteristicShare(NamedTuple):
@@ -52,13 +56,14 @@ def of_code(strength: CodeStrength, share: CharacteristicShare, high: float = CO
 
 
 class JointStrengths(NamedTuple):
-    """What a joint bears; None where nothing says it. `friction` is a tangent."""
+    """What a joint bears; None where nothing says it. `friction` is a tangent; `notes` say what to mind."""
 
     cohesion: JointStrength | None
     friction: JointStrength | None
     flexural: JointStrength | None
     tension: JointStrength | None
     compression: JointStrength | None
+    notes: tuple[str, ...] = ()
 
 
 def joint_strengths(data: ContactData) -> JointStrengths:
@@ -66,14 +71,31 @@ def joint_strengths(data: ContactData) -> JointStrengths:
     _require_one(data, "triplets", "cohesion")
     _require_one(data, "triplets", "friction")
     _require_one(data, "bond_strength", "tensile_strength")
-    line = None if data.triplets is None else shear_line(data.triplets, data.name("triplets"))
+    line = None if data.triplets is None else shear_line(data.triplets.pairs, data.name("triplets"))
+    cohesion = _cohesion(data, line)
     return JointStrengths(
-        _cohesion(data, line),
+        cohesion,
         _friction(data, line),
         _flexural(data),
         _given(data, "tensile_strength", BENDING, "direct tension tests"),
         compression(data),
+        tuple(_notes(data, cohesion, line)),
     )
+
+
+def _notes(data: ContactData, cohesion: JointStrength | None, line: ShearLine | None) -> Iterator[str]:
+    """Of few tests, and of a cohesion that few joints have."""
+    if line is not None:
+        yield from data.triplets.notes
+        if line.tests < SPECIMENS or line.pressures < 3:
+            yield (
+                f"{data.name('triplets')}: {line.tests} tests at {line.pressures} pressures; EN 1052-3 asks for "
+                f"{SPECIMENS}, three at each of three pressures"
+            )
+    if cohesion is not None and cohesion.mean > HIGH_COHESION:
+        yield (
+            f"cohesion: {cohesion.mean / 1e6:.3g} MPa is high, joints with mortar have 0.1 to 1 MPa; look at its unit"
+        )
 
 
 def compression(data: ContactData) -> JointStrength | None:

@@ -65,6 +65,7 @@ def joint_numbers(data: ContactData) -> JointNumbers:
         raise SceneError(f"{data.name('crushing')} {data.crushing}: law elastic has no strength; choose another law")
     if law != "elastic":
         strengths = joint_strengths(data)
+        notes += strengths.notes
         values += _strengths(data, strengths, notes) if law != "friction" else [_dry_friction(data, strengths)]
         values += _compression(data, strengths, course, notes)
     within = [] if course.stiffness.within is None else _within(course)

@@ -122,6 +122,16 @@ def test_what_does_not_fit_the_scene_is_said(scene, change, message):
         ("200000,400000\n", "look wrong"),
         ("0.2,-0.4\n", "look wrong"),
         ("0.2,nan\n", "look wrong"),
+        ("No;p [kPa];tau [kPa]\n1;200;400\n", "line 2: two columns, found 3"),
+        ("A1;0,2;0,4\n", "line 1: two columns, found 3"),
+        ("0,2 0,4\n", "line 1: two columns, found 4"),
+        ("pressure [kN];strength [kPa]\n200;400\n", "line 1: 'kN' is no unit of a stress"),
+        ("pressure (mm), strength (mm)\n200,400\n", "'mm' is no unit of a stress"),
+        ("p [Mpa], tau [Mpa]\n0.2,0.4\n", "did you mean 'MPa'"),
+        ("pressure, strength [kPa]\n200,400\n", "1 units for two columns"),
+        ("p [], tau []\n200,400\n", "'' is no unit of a stress"),
+        ("20;36\n60;64\n100;92\n", "look wrong; .* names other units"),
+        ("20;36\n30;43\n40;50\n", "cohesion of 22 MPa, which looks wrong"),
     ],
 )
 def test_a_file_of_tests_that_is_wrong_is_one_sentence(text, message, tmp_path):
@@ -137,6 +147,40 @@ def test_files_of_tests_have_commas_semicolons_or_spaces(text, tmp_path):
     (tmp_path / "tests.csv").write_text(text)
     table = masonry.contact(triplets=tmp_path / "tests.csv", **MODULI)
     assert table["contact.unit_unit"]["cohesion"] == "0.25 MPa"
+
+
+@pytest.mark.parametrize(
+    ("heading", "pressure", "strength"),
+    [
+        ("pressure [kPa];shear strength [kPa]", 1e3, 1e3),
+        ("pressure (N/cm2), shear strength (MPa)", 100.0, 1.0),
+        ("p [N/mm²]\ttau [kN/m^2]", 1.0, 1e3),
+        ("sigma in kPa; tau_kPa", 1e3, 1e3),
+        ("pressure;shear strength\nkPa;kPa", 1e3, 1e3),
+        ("p (normal) [psi], tau (peak) [psi]", 1e6 / 6894.757293168361, 1e6 / 6894.757293168361),
+    ],
+)
+def test_the_heading_of_a_file_of_tests_names_the_units_of_its_columns(heading, pressure, strength, tmp_path):
+    tests = [(p, 0.24 + 0.7 * p) for p in (0.2, 0.6, 1.0) for _ in range(3)]
+    lines = [f"{p * pressure!r} {tau * strength!r}" for p, tau in tests]
+    (tmp_path / "tests.csv").write_text("\n".join([heading, *lines]), encoding="utf-8")
+    table = masonry.contact(triplets=tmp_path / "tests.csv", **MODULI)
+    joint = table["contact.unit_unit"]
+    assert joint["cohesion"] == "0.24 MPa" and joint["tan_friction_angle"] == pytest.approx(0.7)
+    assert not any("triplets" in note or "cohesion" in note for note in table.notes)
+
+
+def test_units_that_are_not_named_few_tests_and_a_high_cohesion_are_noted(tmp_path):
+    (tmp_path / "tests.csv").write_text("p,tau\n0.2,3.2\n0.6,3.4\n1,3.6\n")
+    table = masonry.contact(triplets=tmp_path / "tests.csv", **MODULI)
+    notes = "\n".join(table.notes)
+    assert (
+        "names no units, and MPa are taken" in notes
+        and "3 tests at 3 pressures" in notes
+        and "3.1 MPa is high" in notes
+    )
+    pairs = [(p, 0.24e6 + 0.7 * p) for p in (0.2e6, 0.6e6) for _ in range(5)]
+    assert any("10 tests at 2 pressures" in note for note in masonry.contact(triplets=pairs, **MODULI).notes)
 
 
 def words(data):
