@@ -10,7 +10,7 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.scene.lines import split_key
 from masonry.scene.source import Source
-from masonry.scene.variant import Keys, drop_rivals, forget
+from masonry.scene.variant import Keys, drop_rivals, forget, mark_change
 
 Overrides = Mapping[str, Any] | Sequence[str]
 
@@ -35,11 +35,11 @@ def apply(source: Source, overrides: Overrides) -> None:
         if isinstance(assumptions, dict) and key in assumptions:
             assumptions[key] = f"set to {value} by the user"
     set_here = {path[:n] for path in keys for n in range(1, len(path) + 1)}
-    for path, key in keys.items():
-        mine = {*set_here, ("assumptions", key)}
+    mine = {*set_here, *(("assumptions", key) for key in settings)}
+    for path in keys:
         drop_rivals(source.raw, path, mine)
-        if isinstance(settings[key], dict):
-            forget(source.raw, path, mine)
+        forget(source.raw, path, mine)
+        mark_change(source.raw, path, mine)
 
 
 def _split(text: str) -> tuple[str, str]:

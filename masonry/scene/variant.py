@@ -1,10 +1,13 @@
 """One scene on top of another, `base = "couplet"` and the keys that differ; and keys that exclude each other."""
 
+import re
 from collections.abc import Container, Iterator
 from copy import deepcopy
 from typing import Any
 
 Keys = tuple[str | int, ...]
+CHANGED = re.compile(r" \(before a change of ([^()]*)\)$")
+"""How an assumption about a table ends of which keys were changed."""
 RIVALS = (
     {"accuracy", "rate", "steps"},
     {"displacement", "history"},
@@ -26,7 +29,7 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
     """Raw values of a scene with those of another on top: tables are merged, lists and values replaced.
 
     A key takes the place of its rivals, a specimen of another kind that of the whole specimen. An assumption about what
-    was replaced goes with it.
+    was replaced goes with it, one about a table around it says what was changed.
     """
     merged = deepcopy(below)
     if _kind(above) not in (None, _kind(below)):
@@ -39,6 +42,7 @@ def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
         if path[0] != "assumptions":
             drop_rivals(merged, path, keys)
             forget(merged, path, keys)
+            mark_change(merged, path, keys)
     return merged
 
 
@@ -104,3 +108,15 @@ def forget(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
         for key in list(assumptions):
             if (key == dotted or key.startswith(f"{dotted}.")) and ("assumptions", key) not in keys:
                 del assumptions[key]
+
+
+def mark_change(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
+    """Say of assumptions about tables around a new key, unless they are new as well, that they are older than it."""
+    assumptions, dotted = raw.get("assumptions"), ".".join(map(str, path))
+    if not isinstance(assumptions, dict):
+        return
+    for table, text in assumptions.items():
+        if dotted.startswith(f"{table}.") and ("assumptions", table) not in keys and isinstance(text, str):
+            before = CHANGED.search(text)
+            names = dict.fromkeys([*(before[1].split(", ") if before else []), dotted.removeprefix(f"{table}.")])
+            assumptions[table] = f"{CHANGED.sub('', text)} (before a change of {', '.join(names)})"

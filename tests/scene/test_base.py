@@ -61,6 +61,44 @@ def test_an_assumption_about_a_changed_key_goes_unless_it_is_made_anew(tmp_path)
     assert scene(tmp_path, f'{text}[assumptions]\n"{key}" = "guessed"\n').assumptions[key] == "guessed"
 
 
+AXLES = {"vehicle.axles": ["50 kN", "50 kN"], "vehicle.spacings": ["1.5 m"]}
+MADE_UP = load("bridge-single-span").assumptions["vehicle"]
+TWO_AXLES = 'base = "bridge-single-span"\n[vehicle]\naxles = ["50 kN", "50 kN"]\nspacings = ["1.5 m"]\n'
+
+
+def test_an_assumption_about_a_table_names_the_keys_of_it_that_were_changed(tmp_path):
+    bridge = load("bridge-single-span")
+    scenes = [
+        scene(tmp_path, TWO_AXLES),
+        load("bridge-single-span", AXLES),
+        load("bridge-single-span", ['vehicle.axles=["50 kN", "50 kN"]', 'vehicle.spacings=["1.5 m"]']),
+        bridge.with_(AXLES),
+        bridge.with_(AXLES).with_(AXLES),
+    ]
+    for own in scenes:
+        assert own.assumptions["vehicle"] == f"{MADE_UP} (before a change of axles, spacings)"
+        assert own.assumptions["specimen"] == bridge.assumptions["specimen"]
+    (tmp_path / "two.toml").write_text(TWO_AXLES)
+    third = scene(tmp_path, 'base = "two.toml"\nvehicle.patch = "0.2 m"\n', "third.toml")
+    assert third.assumptions["vehicle"] == f"{MADE_UP} (before a change of axles, spacings, patch)"
+    mine = scene(tmp_path, f'{TWO_AXLES}[assumptions]\nvehicle = "a lorry"\n')
+    assert mine.assumptions["vehicle"] == "a lorry"
+    replaced = load("bridge-single-span", {"vehicle": {"on": "voussoirs", "level": "1.8 m", "axles": ["1 kN"]}})
+    assert replaced.assumptions["vehicle"].endswith("by the user")
+
+
+def test_a_record_in_place_of_a_made_motion_is_said_beside_what_was_assumed_of_it(tmp_path):
+    (tmp_path / "own.txt").write_text("".join(f"{0.1 * n:.1f} {n % 3}\n" for n in range(40)))
+    own = scene(tmp_path, 'base = "wall-out-of-plane-shaken"\n[ground]\nrecord = "own.txt"\nunit = "m/s^2"\n')
+    assert own.ground[0].made is None
+    assert own.assumptions["ground"].endswith("(before a change of record, unit)")
+
+
+def test_a_list_that_is_set_for_one_run_takes_what_was_assumed_of_its_items_with_it():
+    own = load("couplet", ['support=[{on = "bottom", fix = "all"}]'])
+    assert "support.1.fix" not in own.assumptions
+
+
 def test_the_resolved_scene_is_whole_and_names_no_base(tmp_path):
     own = scene(tmp_path, 'base = "couplet"\nconfinement = "1 MPa"\n')
     assert "base" not in to_toml(own)

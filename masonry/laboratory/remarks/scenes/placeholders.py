@@ -7,7 +7,7 @@ from masonry.scene.schema import INVENTED
 
 def doubts(assembly: Assembly) -> list[Doubt]:
     """One, with all keys."""
-    keys = [key for key, why in assembly.scene.assumptions.items() if why == INVENTED]
+    keys = [key for key, why in assembly.scene.assumptions.items() if why.startswith(INVENTED)]
     if not keys:
         return []
     sentence = f"these are placeholders that `masonry import` made up: {', '.join(keys)}"
