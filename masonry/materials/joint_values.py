@@ -55,18 +55,26 @@ class JointNumbers(NamedTuple):
     notes: tuple[str, ...]
 
 
+THICKEST = 3e-3
+"""m, of a joint of thin layer mortar."""
+
+
 def joint_numbers(data: ContactData) -> JointNumbers:
     """All numbers that the law of the joint needs. Raises SceneError for what is missing or contradicts itself."""
     course = course_data(data)
     values = _stiffness(course)
     notes = list(course.notes)
+    if data.mortar is not None and data.mortar.is_thin and (data.joint or 0.0) > THICKEST:
+        notes.append(
+            "thin layer mortar has joints of 0.5 to 3 mm (EN 1996-1-1, 8.1.5); a thicker joint has other values"
+        )
     law = data.joint_law
     if law == "elastic" and data.crushing is not None:
         raise SceneError(f"{data.name('crushing')} {data.crushing}: law elastic has no strength; choose another law")
     if law != "elastic":
         strengths = joint_strengths(data)
         notes += strengths.notes
-        values += _strengths(data, strengths, notes) if law != "friction" else [_dry_friction(data, strengths)]
+        values += _strengths(data, strengths, notes) if law != "friction" else [_dry_friction(data, strengths, notes)]
         values += _compression(data, strengths, course, notes)
     within = [] if course.stiffness.within is None else _within(course)
     notes += _annex([*values, *within])
@@ -114,11 +122,15 @@ def _measured(data: ContactData, key: str, unit: ShownUnit, rule: PublishedRule)
     return JointValue(key, unit, value, (1.0 - SCATTER) * value, (1.0 + SCATTER) * value, "given", False)
 
 
-def _dry_friction(data: ContactData, strengths: JointStrengths) -> JointValue:
+def _dry_friction(data: ContactData, strengths: JointStrengths, notes: list[str]) -> JointValue:
     if strengths.friction is None:
         raise SceneError(
             f"{data.name('friction')}: missing; no code has that of dry joints: give a tangent or an angle"
         )
+    parts = {"cohesion": strengths.cohesion, "bond strength": strengths.flexural, "tensile strength": strengths.tension}
+    known = [f"{word} of {one.mean / 1e6:.4g} MPa" for word, one in parts.items() if one is not None and one.mean > 0.0]
+    if known:
+        notes.append(f"law friction has friction alone: it leaves out a {' and a '.join(known)}; other laws have them")
     return _written(data, "tan_friction_angle", NUMBER, strengths.friction)
 
 

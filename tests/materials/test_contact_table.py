@@ -232,3 +232,16 @@ def test_what_the_tables_leave_out_is_no_number():
     assert compressive_strength("aac", 2, 4e6, 5e6) is None
     assert shear_strength("clay", 0.5e6) is None
     assert bending_strength("manufactured-stone", None) is None
+
+
+def test_strengths_that_a_dry_joint_leaves_out_are_noted():
+    known = {"unit_modulus": "10 GPa", "unit_height": "200 mm", "mortar": "none", "friction": 0.6}
+    assert not any("leaves out" in note for note in masonry.contact(**known).notes)
+    (note,) = (note for note in masonry.contact(**known, cohesion="0.2 MPa").notes if "leaves out" in note)
+    assert "a cohesion of 0.2 MPa" in note
+
+
+@pytest.mark.parametrize(("joint", "noted"), [("3 mm", False), ("10 mm", True)])
+def test_thin_layer_mortar_in_thick_joints_is_noted(joint, noted):
+    table = masonry.contact(unit="clay", unit_strength="20 MPa", unit_height="65 mm", mortar="thin-layer", joint=joint)
+    assert any("thin layer mortar has joints of 0.5 to 3 mm" in note for note in table.notes) is noted
