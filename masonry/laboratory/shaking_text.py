@@ -5,25 +5,31 @@ from masonry.rows.columns import GRAVITY
 from masonry.runtime.tables import Rows
 
 BY_INERTIA = "by the forces of inertia, in motion relative to the ground"
+UNTIL_A_FALL = " until the first block had fallen"
 BY_SUPPORTS = "by the supports that move"
 
 
-def shaking_rows(shaking: Shaking) -> Rows:
-    """Row by row: the ground, gauges, uplift, the largest force, and the energy that came in."""
+def shaking_rows(shaking: Shaking, falls: bool = False) -> Rows:
+    """Row by row: the ground, gauges, uplift, the largest force, and the energy that came in.
+
+    falls  whether a block had fallen: the largest of all are those until then
+    """
     grounds = [ground_text(axis, component) for axis, component in (shaking.ground or {}).items()]
+    until = UNTIL_A_FALL if falls else ""
+    most = f"at most{until}"
     uplift, force, energy = shaking.uplift, shaking.largest_force, shaking.input_energy_j
     return [
         ("ground", grounds),
-        *((name, [swing_text(swing)]) for name, swing in (shaking.gauges or {}).items()),
+        *((name, [swing_text(swing, falls)]) for name, swing in (shaking.gauges or {}).items()),
         (
             "uplift",
-            [f"a joint opened by {1e3 * uplift.opening_m:.4g} mm after {uplift.time_s:.4g} s: {uplift.between}"]
+            [f"a joint opened by {1e3 * uplift.opening_m:.4g} mm after {uplift.time_s:.4g} s{until}: {uplift.between}"]
             if uplift is not None and uplift.opening_m > 0.0
             else [],
         ),
         (
             "contact force",
-            [f"{force_words(force.force_n)} at most, after {force.time_s:.4g} s: {force.between}"] if force else [],
+            [f"{force_words(force.force_n)} {most}, after {force.time_s:.4g} s: {force.between}"] if force else [],
         ),
         (
             "input energy",
@@ -41,9 +47,10 @@ def ground_text(axis: str, of: GroundComponent) -> str:
     )
 
 
-def swing_text(swing: GaugeSwing) -> str:
-    """A gauge: the farthest that it went from where it was when the dead loads had settled, and what is left."""
-    when = f"at most, after {swing.time_s:.4g} s"
+def swing_text(swing: GaugeSwing, falls: bool = False) -> str:
+    """A gauge: the farthest that it went from where it was when the dead loads had settled, until a block had fallen
+    where one `falls`; and what is left."""
+    when = f"at most{UNTIL_A_FALL if falls else ''}, after {swing.time_s:.4g} s"
     if swing.quantity == "acceleration":
         return f"{swing.peak / GRAVITY:.4g} g {when}"
     if swing.quantity == "velocity":

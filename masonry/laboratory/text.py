@@ -155,7 +155,7 @@ def summary_rows(summary: Summary) -> Rows:
 def _gauge_rows(summary: Summary, driven: bool) -> Rows:
     """What gauges showed; of a run whose ground shakes what else it did."""
     if summary.shaking is not None:
-        return shaking_rows(summary.shaking)
+        return shaking_rows(summary.shaking, summary.collapse is not None)
     return [(name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()]
 
 

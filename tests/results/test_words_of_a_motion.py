@@ -8,8 +8,9 @@ import pytest
 import masonry
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
+from masonry.laboratory.shaking_text import shaking_rows
 from masonry.laboratory.text import check_text, collapse_text, summary_text
-from masonry.results.summary import FirstFall, Moment
+from masonry.results.summary import FirstFall, GaugeSwing, LargestForce, Moment, Shaking
 from masonry.timeloop.compiling import compiling_text
 from tests.large.made import dry, slab
 from tests.scenes import box
@@ -60,6 +61,20 @@ def test_a_load_that_grows_while_the_fall_gathers_way_is_told_from_where_to_wher
     assert f"is not known: {fallen['began_unknown']}" in in_a_line(summary_text(result.summary))
     known = collapse_text(FALLEN | {"began": BEGAN | {"loads": {"traction.0": 0.37}}})
     assert known.endswith("with traction.0 at 0.37 of its value")
+
+
+def test_gauges_of_what_fell_say_until_when_they_count():
+    """Their numbers are those of the rows until the first block had fallen."""
+    swing = GaugeSwing(peak=-0.2807, time_s=0.988, residual=-1.2)
+    shaking = Shaking(gauges={"top": swing}, largest_force=LargestForce(12.0, 0.5, "a and b"))
+    stood, fell = (dict(shaking_rows(shaking, falls)) for falls in (False, True))
+    assert stood["top"] == ["-280.7 mm at most, after 0.988 s; -1200 mm left at the end"]
+    assert fell["top"] == [
+        "-280.7 mm at most until the first block had fallen, after 0.988 s; -1200 mm left at the end"
+    ]
+    assert fell["contact force"] == ["12 N at most until the first block had fallen, after 0.5 s: a and b"]
+    summary = rocking().summary | {"shaking": shaking, "collapse": FALLEN}
+    assert "until the first block had fallen" in in_a_line(summary_text(summary))
 
 
 @pytest.mark.parametrize(
