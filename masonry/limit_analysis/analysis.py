@@ -18,6 +18,7 @@ from masonry.limit_analysis.remarks import (
     block_words,
     say_how_exact,
     say_of_jams,
+    say_of_slack,
     say_of_sliding,
     say_what_it_is,
     scene_remarks,
@@ -108,6 +109,7 @@ def analyse(
         if loads.bodies.together is None:
             _require_standing(specimen, loads.bodies, contacts, method)
         _set_factor(result, loads, contacts, method, wishes)
+    say_of_slack(result)
     say_how_exact(result, loads.bodies)
     result.seconds = perf_counter() - begun
     return result

@@ -13,6 +13,7 @@ from masonry.statics.solve import Method
 
 RIGID = "rigid blocks, and joints that dilate by their friction angle as they slide"
 LASTS = "; cohesion and tension last however far a crack opens"
+TAUT = "; bars bear at once, whatever their slack"
 FLAT = "rigid blocks, and joints that slide without dilating"
 GREATEST = "the greatest under these assumptions; where they do not hold, it may fall earlier"
 PYRAMIDS = "within pyramids in place of friction cones; where the assumptions do not hold, it may fall earlier"
@@ -64,6 +65,16 @@ def say_of_sliding(result: LimitData, bodies: RigidBodies, contacts: RigidContac
             "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
             "it may fall earlier: --no-dilation tells"
         )
+
+
+def say_of_slack(result: LimitData) -> None:
+    """A word among the assumptions where bars bear a force that have slack to take up first."""
+    if result.bars is None:
+        return
+    force = np.abs(result.bar_force)
+    least = CLOSED * max(force.max(initial=0.0), np.abs(result.normal).max(initial=0.0))
+    if (force[result.bars.slack > 0.0] > least).any():
+        result.assumed += TAUT
 
 
 def say_of_jams(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:
