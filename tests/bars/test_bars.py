@@ -30,6 +30,9 @@ def hung(**changes):
     [
         ({"bar.0.ends": [["0 m", "0 m", "0 m"], ["0 m", "0 m", "0 m"]]}, "a bar has a length"),
         ({"bar.0.slack": "1 mm", "bar.0.pretension": "1 N"}, "keep one of slack and pretension"),
+        ({"bar.0.slack": "1 mm", "bar.0.compression": True}, "a bar is slack or pushes; leave out slack, or"),
+        ({"bar.0.compression": "yes"}, "true or false"),
+        ({"bar.0.compression": 1}, "true or false"),
         ({"bar.0.pretension": "2 kN"}, "strength times area is 1000 N"),
         ({"bar.0.repeat": 2}, "spacing: missing"),
         ({"bar.0.spacing": ["1 m", "0 m", "0 m"]}, "belongs to repeat"),
@@ -138,6 +141,14 @@ def test_ties_that_are_pushed_bear_nothing_unless_they_are_struts():
     assert masonry.limit(masonry.load("wall-tied", back)).factor == pytest.approx(0.125, rel=1e-6)
     strut = masonry.limit(masonry.load("wall-tied", back | {"bar.0.compression": True}))
     assert strut.factor == pytest.approx(BY_HAND, rel=1e-6) and (strut.bar_force < 0.0).all()
+
+
+def test_a_limit_analysis_says_that_it_leaves_out_slack():
+    slack = "; bars bear at once, whatever their slack"
+    assert slack in masonry.limit(masonry.load("wall-tied", {"bar.0.slack": "2 mm"})).assumed
+    back = {"limit": {"pattern": "weight", "direction": "y"}}  # the ties bear nothing then
+    unloaded = masonry.limit(masonry.load("wall-tied", back | {"bar.0.slack": "2 mm"}))
+    assert slack not in unloaded.assumed and slack not in masonry.limit("wall-tied").assumed
 
 
 def test_joints_that_crush_and_ties_that_yield():

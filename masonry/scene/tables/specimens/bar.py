@@ -3,7 +3,7 @@
 from math import dist
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, model_validator
+from pydantic import AfterValidator, StrictBool, model_validator
 
 from masonry.scene.tables.gauge import column_name
 from masonry.scene.tables.gravity_and_floor import Coordinate
@@ -35,7 +35,7 @@ class BarTable(Table):
     strength: Yield | None = None
     pretension: Force = 0.0
     slack: Gap = 0.0
-    compression: bool = False
+    compression: StrictBool = False
     repeat: Count = 1
     spacing: Point | None = None
     name: Annotated[str, AfterValidator(column_name)] | None = None
@@ -70,6 +70,8 @@ class BarTable(Table):
             raise KeyedError("ends", "are one and the same point: a bar has a length, and a direction")
         if self.pretension and self.slack:
             raise KeyedError("slack", "a bar is slack or pretensioned; keep one of slack and pretension")
+        if self.compression and self.slack:
+            raise KeyedError("slack", "a bar is slack or pushes; leave out slack, or leave out compression")
         if self.yield_force is not None and self.pretension > self.yield_force:
             raise KeyedError(
                 "pretension", f"is more than the bar bears: strength times area is {self.yield_force:.6g} N"
