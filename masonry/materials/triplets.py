@@ -17,6 +17,8 @@ STRONGEST = 8.0
 """MPa: no joint has a cohesion beyond."""
 SPECIMENS = 9
 """Tests that EN 1052-3 asks for, three at each of three pressures."""
+WEAKEST = 1e3
+"""Pa: a joint under pressure bears more."""
 SURE = 0.10
 """Share of a value that three series of tests leave open at least."""
 HEADING = "pressure [kPa]; shear strength [kPa]"
@@ -50,6 +52,10 @@ def shear_line(tests: Sequence[tuple[float, float]], where: str) -> ShearLine:
         raise SceneError(
             f"{where}: {count} tests at {len(pressures)} pressures; EN 1052-3 asks for three tests at each of three "
             "pressures, a line needs three tests at two of them at least"
+        )
+    if (most := max(strength for _, strength in tests)) < WEAKEST:
+        raise SceneError(
+            f"{where}: shear strengths of at most {most:.3g} Pa look wrong; numbers of pairs are in Pa: write '0.41 MPa'"
         )
     x0 = sum(pressure for pressure, _ in tests) / count
     y0 = sum(strength for _, strength in tests) / count

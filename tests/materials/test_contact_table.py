@@ -245,3 +245,8 @@ def test_strengths_that_a_dry_joint_leaves_out_are_noted():
 def test_thin_layer_mortar_in_thick_joints_is_noted(joint, noted):
     table = masonry.contact(unit="clay", unit_strength="20 MPa", unit_height="65 mm", mortar="thin-layer", joint=joint)
     assert any("thin layer mortar has joints of 0.5 to 3 mm" in note for note in table.notes) is noted
+
+
+def test_pairs_of_numbers_in_mpa_are_questioned():
+    with pytest.raises(SceneError, match="numbers of pairs are in Pa: write '0.41 MPa'"):
+        masonry.contact("couplet", triplets=[(0.2, 0.41), (0.6, 0.7), (1.0, 0.95)], **CODE)
