@@ -55,7 +55,7 @@ def shear_line(tests: Sequence[tuple[float, float]], where: str) -> ShearLine:
         )
     if (most := max(strength for _, strength in tests)) < WEAKEST:
         raise SceneError(
-            f"{where}: shear strengths of at most {most:.3g} Pa look wrong; numbers of pairs are in Pa: write '0.41 MPa'"
+            f"{where}: shear strengths of at most {most:.3g} Pa look wrong; numbers are in Pa: write '0.41 MPa'"
         )
     x0 = sum(pressure for pressure, _ in tests) / count
     y0 = sum(strength for _, strength in tests) / count

@@ -248,5 +248,5 @@ def test_thin_layer_mortar_in_thick_joints_is_noted(joint, noted):
 
 
 def test_pairs_of_numbers_in_mpa_are_questioned():
-    with pytest.raises(SceneError, match="numbers of pairs are in Pa: write '0.41 MPa'"):
+    with pytest.raises(SceneError, match="numbers are in Pa: write '0.41 MPa'"):
         masonry.contact("couplet", triplets=[(0.2, 0.41), (0.6, 0.7), (1.0, 0.95)], **CODE)
