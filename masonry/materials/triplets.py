@@ -22,6 +22,7 @@ WEAKEST = 1e3
 SURE = 0.10
 """Share of a value that three series of tests leave open at least."""
 HEADING = "pressure [kPa]; shear strength [kPa]"
+BRACKET = re.compile(r"[\[(]")
 KNOWN_UNITS = ("Pa", "kPa", "MPa", "N/mm2", "N/cm2", "kN/m2", "kgf/cm2", "psi")
 BARE_UNIT = re.compile(r"(?<![A-Za-z])(?:[kMG]?Pa|psi|[kM]?N/[cm]?m\^?[2²])(?![A-Za-z0-9])")
 
@@ -126,13 +127,13 @@ def _of_file(path: Path, where: str) -> TripletTests:
         if not words:
             continue
         columns = _numbers(words)
-        if columns is None and not tests and not any(word[0].isdigit() for word in words):
+        if columns is None and not tests and _is_heading(line, words):
             units = _units(line, place) or units
             continue
         shown = visible(line.strip()[:60])
         if len(words) != 2:
             raise SceneError(
-                f"{place}: two columns, found {len(words)} in '{shown}'; give pressure and shear strength "
+                f"{place}: {len(words)} columns in place of two in '{shown}'; give pressure and shear strength "
                 "alone, without numbers of specimens; decimal commas need a semicolon between columns: '0,2; 0,41'"
             )
         if columns is None:
@@ -149,6 +150,11 @@ def _of_file(path: Path, where: str) -> TripletTests:
 def _words(line: str) -> list[str]:
     """Of a line with commas, spaces, or semicolons and decimal commas."""
     return (line.replace(",", ".").replace(";", " ") if ";" in line else line.replace(",", " ")).split()
+
+
+def _is_heading(line: str, words: list[str]) -> bool:
+    """Whether a line that is not all numbers has none, or begins with a word and names units beside them."""
+    return not any(word[0].isdigit() for word in words) or (not words[0][0].isdigit() and bool(BRACKET.search(line)))
 
 
 def _numbers(words: list[str]) -> list[float] | None:
@@ -168,7 +174,8 @@ def _units(heading: str, place: str) -> tuple[float, float] | None:
         try:
             sizes.append(convert(f"1 {name}", "stress", "unit") / MPA)
         except ValueError:
-            hint = did_you_mean(name[:20], KNOWN_UNITS, 0.5)
+            alike = next((unit for unit in KNOWN_UNITS if unit.lower() == name.lower()), name[:20])
+            hint = did_you_mean(alike, KNOWN_UNITS, 0.5)
             shown = visible(f"{name!r:.40}")
             raise SceneError(f"{place}: {shown} is no unit of a stress, such as kPa, MPa or N/mm2{hint}") from None
     if len(sizes) not in (0, 2):
