@@ -17,7 +17,7 @@ from masonry.pictures.oblique import SolidDrawing
 from masonry.pictures.overlays.bar_lines import bar_keys, bars_in, yielded_in
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
-from masonry.results.dry_joints import LEAST_DAMAGE, NARROW
+from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, all_dry
 from masonry.results.frame_choice import at_stronger_side, moment, without_noise
 from masonry.rows.history import Frame
 
@@ -214,16 +214,19 @@ def draw_keys(
     kinds: Sequence[str],
     thrusts: Sequence[ThrustLine],
 ) -> None:
-    """Colour bars of damage, and a legend of groups, crack kinds and openings, and thrust lines; of what occurs."""
+    """Colour bars of damage, where it has degrees; a legend of groups, crack kinds and openings, and thrust lines; of
+    what occurs."""
     from matplotlib.patches import Patch
 
-    draw_scales(figure, axes, kinds)
+    dry = all(all_dry(drawing.result) for drawing in drawings)
+    if not dry:
+        draw_scales(figure, axes, kinds)
     colours: dict[str, str] = {}
     for blocks in (drawing.result.specimen.blocks for drawing in drawings):
         shown = zip(blocks.groups, group_colours(blocks.groups), strict=True)
         colours |= {name: colour for g, (name, colour) in enumerate(shown) if g in blocks.group}
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
-    keys += crack_keys(scale, kinds)
+    keys += crack_keys(scale, kinds, dry)
     keys += {line.in_a_row: line.key() for line in thrusts}.values()
     bars = [key for drawing in drawings for key in bar_keys(bars_in(drawing.result), yielded_in(drawing.result))]
     keys += {key.get_label(): key for key in bars}.values()

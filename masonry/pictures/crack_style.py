@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 
 KINDS = {"shear": ("Blues", "mostly shear"), "tension": ("Reds", "mostly tension")}
 """What a crack may be led by: its colours, and how that is said."""
+MOVED = {"shear": "mostly slid", "tension": "mostly opened"}
+"""How that is said of joints of law `friction`, which have no damage by degrees."""
 DRY = "#3a7d34"
-"""The colour of joints without strength that slid or opened."""
+"""The colour of joints of other laws without strength that slid or opened."""
 CRUSHED = "#d01c8b"
 """The colour of joints that crushed: they closed for good."""
 LEAST_SCALE = 1e-5
@@ -107,13 +109,20 @@ def draw_scales(figure: Any, axes: list[Any], kinds: Sequence[str]) -> None:
         figure.colorbar(bar, ax=axes, label=f"damage, {word}", fraction=0.025, pad=0.01, aspect=30)
 
 
-def crack_keys(scale: float, kinds: Sequence[str]) -> list[Any]:
-    """Entries of a legend: the kinds of cracks that there are, and what width stands for which opening."""
+def crack_keys(scale: float, kinds: Sequence[str], dry: bool = False) -> list[Any]:
+    """Entries of a legend: the kinds of cracks that there are, or of joints where all are `dry`, and what width stands
+    for which opening."""
     from matplotlib.lines import Line2D
 
     keys = [
-        Line2D([], [], color=crack_map(colour)(0.9), linewidth=3.0, label=f"crack, {word}")
-        for colour, word in (KINDS[kind] for kind in reversed(kinds) if kind in KINDS)
+        Line2D(
+            *([], []),
+            color=crack_map(KINDS[kind][0])(0.9),
+            linewidth=3.0,
+            label=f"joint, {MOVED[kind]}" if dry else f"crack, {KINDS[kind][1]}",
+        )
+        for kind in reversed(kinds)
+        if kind in KINDS
     ]
     if "dry" in kinds:
         keys.append(Line2D([], [], color=DRY, linewidth=3.0, label="moved without damage"))

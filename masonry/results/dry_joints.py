@@ -58,6 +58,12 @@ def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
     )
 
 
+def all_dry(result: "ResultData") -> bool:
+    """Whether no joint but those of law `friction` can be damaged: that knows no degrees of it, and is no crack."""
+    laws = {(result.summary.law_by_group or {}).get(name) for name in result.joint_groups}
+    return laws <= {"friction", "elastic"} and "friction" in laws
+
+
 def without_parted(result: "ResultData", frame: Frame) -> Frame:
     """The same frame without damage in joints whose two sides have parted altogether: they are no crack any more."""
     joints = result.joints

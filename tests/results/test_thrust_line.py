@@ -85,6 +85,19 @@ def test_an_arch_is_seen_along_its_depth_however_deep_it_is():
     assert (view.right.argmax(), view.up.argmax()) == (0, 2)
 
 
+def test_dry_joints_have_no_scale_of_damage_but_say_whether_they_opened_or_slid():
+    result = sample()
+    keys = {text.get_text() for text in cracks_figure(result).legends[0].get_texts()}
+    assert {"crack, mostly tension", "crack, mostly shear"} <= keys
+    bars = len(cracks_figure(result).axes)
+    result.summary |= {"law_by_group": {"unit_unit": "friction"}}
+    result.joint_properties |= {"normal_stiffness": np.array([1e12]), "shear_stiffness": np.array([1e12])}
+    figure = cracks_figure(result)
+    labels = {text.get_text() for text in figure.legends[0].get_texts()}
+    assert "joint, mostly opened" in labels and not labels & {"crack, mostly tension", "crack, mostly shear"}
+    assert len(figure.axes) == bars - 2, "no bars of damage"
+
+
 def test_dry_joints_are_drawn_where_they_are_open_or_slid_now_and_not_for_rounding():
     frame = arch().history.frames[-1]
     rounding = np.full_like(frame.damage_shear, 1.0)
