@@ -19,10 +19,9 @@ from masonry.quantity import parse
 from masonry.scene import Scene
 from masonry.scene.tables.dynamics.quiet_boundary import QuietBoundary
 from masonry.scene.tables.loads_and_supports import Drive
-from masonry.scene.tables.types import ALSO
+from masonry.scene.tables.types import ALSO, PLANE
 
 AXES = {"x": 0, "y": 1, "z": 2}
-PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 
 
 def conditions_of(

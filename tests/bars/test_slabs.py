@@ -5,6 +5,7 @@ import pytest
 import masonry
 from geometry.blocks import GeometryError
 from masonry.assembly.assemble import fabric_of
+from masonry.errors import SceneError
 
 SLAB = {"name": "roof", "origin": ["0 m", "0 m", "2.4 m"], "size": ["3 m", "1 m", "200 mm"]}
 TABLES = {
@@ -32,6 +33,13 @@ def test_a_slab_is_a_block_and_a_set_with_joints_of_its_own():
 def test_a_slab_has_a_name_and_a_place_of_its_own(change, said):
     with pytest.raises(GeometryError, match=said):
         fabric_of(masonry.load("wall-tied", {"specimen.slab": [SLAB | change], **TABLES}))
+
+
+@pytest.mark.parametrize("name", ["all", "z = 0 mm", "blocks at z = 1 m", "a.z+", "roof + foot"])
+@pytest.mark.parametrize("key", ["name", "group"])
+def test_a_slab_is_not_called_as_a_selector(key, name):
+    with pytest.raises(SceneError, match=rf"specimen\.slab\.0\.{key}.* reads as a selector"):
+        masonry.load("wall-tied", {"specimen.slab": [SLAB | {key: name}], **TABLES})
 
 
 def test_a_scene_without_slabs_says_nothing_of_them():

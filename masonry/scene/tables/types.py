@@ -1,9 +1,11 @@
 """The types of a scene's values: what may stand in a file, what is kept (SI floats), how it is written out again."""
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, NoReturn
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     BeforeValidator,
     ConfigDict,
@@ -40,6 +42,8 @@ SOFTEST = 1e-6
 CONFINEMENT = {"confinement": 1.0, "-confinement": -1.0}
 ALSO = " + "
 """Between the sets of a selector that names several."""
+PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
+"""A selector of faces in a plane, or of blocks at one."""
 
 
 class KeyedError(ValueError):
@@ -129,6 +133,15 @@ def _of_several(value: Any) -> Any:
     return ALSO.join(value)
 
 
+def _set_name(value: str) -> str:
+    """A name of a set that no selector reads otherwise."""
+    is_face = "." in value and value[-1:] in "+-"
+    if value == "all" or ALSO in value or is_face or PLANE.fullmatch(value):
+        raise ValueError(f"{value[:60]!r} reads as a selector of other blocks or of faces; give it another name")
+    return value
+
+
+SetName = Annotated[str, Field(min_length=1), AfterValidator(_set_name)]
 Selector = Annotated[str, BeforeValidator(_of_several), Field(min_length=1)]
 Length = Annotated[float, Given("length", "[1e-9, 1e5]")]
 Gap = Annotated[float, Given("length", "[0, 1e5]")]

@@ -1,8 +1,8 @@
 """What the tables of all specimens have, and how their units are divided."""
 
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from masonry.scene.tables.cells import CellsTable, exclude
 from masonry.scene.tables.point_counts import (
@@ -13,7 +13,7 @@ from masonry.scene.tables.point_counts import (
     fewest,
     one_density,
 )
-from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SignedAngle, Table
+from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SetName, SignedAngle, Table
 
 
 class TurnTable(Table):
@@ -27,10 +27,10 @@ class TurnTable(Table):
 class SlabTable(Table):
     """A box besides the blocks of a specimen: a floor that rests on walls, a lintel, a wall plate."""
 
-    name: Annotated[str, Field(min_length=1)]
+    name: SetName
     origin: tuple[Position, Position, Position]
     size: tuple[Length, Length, Length]
-    group: Annotated[str, Field(min_length=1)] = "slabs"
+    group: SetName = "slabs"
 
 
 class SpecimenTable(Table):
