@@ -13,7 +13,8 @@ from masonry.assembly.road.fill import open_faces
 from masonry.pictures.camera import Camera
 from masonry.scene import Scene
 
-EARTH, ROAD, AXLE = "#d9c9a8", "0.35", "#1f5fa8"
+EARTH, ROAD, AXLE, BESIDE = "#d9c9a8", "0.35", "#1f5fa8", "0.6"
+"""Of earth, the road, an axle, and one that does not press on the structure."""
 ARROW = 0.09
 """Length of an arrow over the size of the picture."""
 Moves = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -79,24 +80,26 @@ def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, c
 
     middle = 0.5 * sum(vehicle.between or bed.reach(vehicle)) if vehicle.position is None else vehicle.position
     places = vehicle.places(middle, vehicle.directions[0])
+    shares = bed.shares(vehicle, middle, vehicle.directions[0])
     ends = min(bed.low, *places) - 0.5 * vehicle.patch, max(bed.high, *places) + 0.5 * vehicle.patch
     axes.plot(*np.array([place(x, level) for x in ends]).T, color=ROAD, lw=2.0, zorder=8.0)
     spreads = []
-    for load, x in zip(vehicle.axles, places.tolist(), strict=True):
+    colours = [AXLE if share > 0.0 else BESIDE for share in shares]
+    for load, x, colour in zip(vehicle.axles, places.tolist(), colours, strict=True):
         low, high = bed.width_at(x, vehicle)
         below, half = level - bed.depth_at(x), 0.5 * vehicle.patch
         spreads.append(
             np.array([place(x - half, level), place(x + half, level), place(high, below), place(low, below)])
         )
-        style = {"arrowstyle": "-|>", "color": AXLE, "lw": 2.0, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
+        style = {"arrowstyle": "-|>", "color": colour, "lw": 2.0, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
         tail = place(x, level + arrow)
         axes.annotate("", place(x, level), tail, zorder=9, arrowprops=style)
         axes.annotate(
             f"{load * 1e-3:.4g} kN", tail, (0, 3), textcoords="offset points", ha="center", va="bottom",
-            fontsize=9, color=AXLE, zorder=9,
+            fontsize=9, color=colour, zorder=9,
         )  # fmt: skip
         axes.update_datalim([tail, place(x, level + 1.6 * arrow)])
-    axes.add_collection(PolyCollection(spreads, facecolors=AXLE, alpha=0.22, edgecolors="none", zorder=0.6))
+    axes.add_collection(PolyCollection(spreads, facecolors=colours, alpha=0.22, edgecolors="none", zorder=0.6))
 
 
 def _side(specimen: Specimen, camera: Camera) -> float:

@@ -7,6 +7,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly, assemble, material_of
 from masonry.assembly.conditions import impedance_of, select
+from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
@@ -54,6 +55,7 @@ def run(
 
     checkpointer  writes checkpoints, goes on from one, and says when to end, in place of Ctrl-C
     """
+    require_axles_to_load(scene)
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)

@@ -7,7 +7,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from masonry.assembly.assemble import material_of, require_groups
 from masonry.assembly.conditions import conditions_of
-from masonry.assembly.growing_loads import gravity_of, growing_load, pressure_of
+from masonry.assembly.growing_loads import bed_of, gravity_of, growing_load, pressure_of
 from masonry.assembly.masses import density_of
 from masonry.assembly.road.axle_pressure import Pressure
 from masonry.errors import SceneError
@@ -174,7 +174,8 @@ def _below_vehicle(scene: Scene, specimen: Specimen, joints: Joints, layout: Lay
     if vehicle.position is None:
         raise SceneError("vehicle.position: missing; this analysis loads one place; give it, for example '1.3 m'")
     load = downward(pressure_of(scene, specimen, joints, layout), layout.centroid)
-    return load, vehicle.words
+    shares = bed_of(scene, specimen, joints).shares(vehicle, vehicle.position, vehicle.directions[0])
+    return load, vehicle.words_with(shares)
 
 
 def downward(pressure: Pressure, centre: np.ndarray) -> np.ndarray:

@@ -51,12 +51,14 @@ def reason_against(toml: str) -> str:
     """Why a resolved scene cannot be built; "" where it can."""
     from masonry import scene
     from masonry.assembly.assemble import assemble
+    from masonry.assembly.growing_loads import require_axles_to_load
 
     try:
         with TemporaryDirectory(prefix="masonry-") as folder:
             path = Path(folder) / "scene.toml"
             path.write_text(toml, encoding="utf-8", newline="\n")
             loaded = scene.load(path)
+        require_axles_to_load(loaded)
         assemble(loaded)
     except (SceneError, GeometryError) as error:
         return str(error)

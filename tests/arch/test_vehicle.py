@@ -8,6 +8,8 @@ import pytest
 import masonry
 from masonry.assembly.assemble import joined
 from masonry.assembly.growing_loads import bed_of
+from masonry.drawings.geometry_picture import geometry_figure
+from masonry.drawings.road_drawing import AXLE, BESIDE
 from masonry.errors import SceneError
 from masonry.scene import load, to_toml
 from verification.references.thrust_line import added, ring
@@ -80,6 +82,23 @@ def test_a_truck_is_as_bad_in_both_directions_of_a_symmetric_bridge_and_as_by_ha
     places = both.scene.vehicle.places(position, way)
     assert both.factor == pytest.approx(by_thrust_line(places, [60e3, 120e3, 110e3]), rel=1e-6)
     assert f"leads along {way}" in str(both)
+
+
+def test_words_and_picture_say_where_each_axle_is_and_which_is_not_on_the_structure():
+    axles = {"vehicle.axles": ["60 kN", "120 kN"], "vehicle.spacings": ["3 m"], "vehicle.direction": "x"}
+    end = float(OWN.joints[-1, 1, 0])
+    beyond = masonry.limit(load(BRIDGE, axles | {"vehicle.position": "2.9 m"}))
+    assert beyond.words == (
+        "the 2 axles of the vehicle, which leads along x, 180 kN in all, with its middle at x = 2.9000 m, "
+        "and axles at 4.4000 m (not on the structure) and 1.4000 m"
+    )
+    assert beyond.factor == pytest.approx(by_thrust_line([1.4], [120e3]), rel=1e-6)
+    close = axles | {"vehicle.spacings": ["1.5 m"], "vehicle.position": f"{end - 0.75!r} m"}
+    half = masonry.limit(load(BRIDGE, close)).words
+    assert half.endswith(f"axles at {end:.4f} m (50 % of it on the structure) and {end - 1.5:.4f} m")
+    figure = geometry_figure(beyond.scene, beyond.specimen, beyond.joints)
+    colours = {text.get_text(): text.get_color() for text in figure.axes[0].texts if "kN" in text.get_text()}
+    assert colours == {"60 kN": BESIDE, "120 kN": AXLE}
 
 
 @pytest.mark.parametrize(("place", "friction"), [(0.7, 0.7), (1.25, 0.7), (1.25, 0.3), (-2.0, 0.45)])

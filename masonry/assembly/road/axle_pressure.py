@@ -71,6 +71,15 @@ class RoadBed:
             x = float(np.clip(x, self.low + least, self.high - least))
         return x - least, x + least
 
+    def share_on(self, low: float, high: float) -> float:
+        """Of the width from one x to another (m), that on the faces."""
+        return max(min(high, self.high) - max(low, self.low), 0.0) / (high - low)
+
+    def shares(self, vehicle: Vehicle, position: float, direction: Way) -> list[float]:
+        """Of the load of each axle, that on the faces; 0 where it presses on the ground beside them alone."""
+        places = vehicle.places(position, direction).tolist()
+        return [self.share_on(*self.width_at(x, vehicle)) for x in places]
+
     def pressure(self, vehicle: Vehicle, position: float, direction: Way) -> Pressure:
         """Of all axles, where the vehicle stands at a position (m) and leads in a direction."""
         parts = [
@@ -87,8 +96,7 @@ class RoadBed:
         area, normal, centre = areas_normals_centroids(corners)
         plan = np.where(count > 2, area * normal[:, 2], 0.0)
         below = np.flatnonzero(plan > 0.0)
-        share = max(min(high, self.high) - max(low, self.low), 0.0) / (high - low)
-        force = load * share * plan[below] / max(plan.sum(), 1e-300)
+        force = load * self.share_on(low, high) * plan[below] / max(plan.sum(), 1e-300)
         return Pressure(self.owner[near[below]], force, centre[below])
 
     def reach(self, vehicle: Vehicle) -> tuple[float, float]:

@@ -12,6 +12,8 @@ from masonry.scene.tables.types import Gap, Given, KeyedError, Length, Position,
 AxleLoad = Annotated[float, Given("force", "[1e-9, 1e15]")]
 SpreadAngle = Annotated[float, Given("angle", "[0, 80] deg")]
 Way = Literal["x", "-x"]
+WHOLE = 1e-6
+"""Share of an axle that makes no difference in words."""
 
 
 class Vehicle(Table):
@@ -63,11 +65,22 @@ class Vehicle(Table):
     @property
     def words(self) -> str:
         """What presses, and where it stands, if it does."""
+        return self.words_with([1.0] * len(self.axles))
+
+    def words_with(self, shares: list[float]) -> str:
+        """The same; shares: of the load of each axle, that on the structure."""
         number = len(self.axles)
         axles = "the axle" if number == 1 else f"the {number} axles"
         leads = "" if self.is_symmetric else f", which leads along {self.directions[0]}"
-        place = "" if self.position is None else f", at x = {self.position:.4f} m"
-        return f"{axles} of the vehicle{leads}, {self.total * 1e-3:.6g} kN in all{place}"
+        words = f"{axles} of the vehicle{leads}, {self.total * 1e-3:.6g} kN in all"
+        if self.position is None:
+            return words
+        places = self.places(self.position, self.directions[0]).tolist()
+        each = [f"{x:.4f} m{_beside(share)}" for x, share in zip(places, shares, strict=True)]
+        if number == 1:
+            return f"{words}, at x = {each[0]}"
+        middle = f"with its middle at x = {self.position:.4f} m"
+        return f"{words}, {middle}, and axles at {', '.join(each[:-1])} and {each[-1]}"
 
     def places(self, position: float, direction: Way = "x") -> np.ndarray:
         """(n,) m, x of each axle, from the first to the last."""
@@ -97,3 +110,10 @@ class Vehicle(Table):
                 "direction", "these axles differ by direction: with a position give direction = 'x' or '-x'"
             )
         return self
+
+
+def _beside(share: float) -> str:
+    """Of an axle that is not on the structure as a whole, in words; share: of its load, that on the structure."""
+    if share >= 1.0 - WHOLE:
+        return ""
+    return f" ({100 * share:.3g} % of it on the structure)" if share > WHOLE else " (not on the structure)"
