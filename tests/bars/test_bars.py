@@ -182,7 +182,8 @@ def test_what_a_bar_gives_to_its_end_in_space_counts_with_the_supports(displacem
     ends = [["0 mm", "0 mm", "0 mm"], ["-2 m", "0 mm", "2 m"]]
     rod = {"bar.0.ends": ends, "bar.0.strength": None, "bar.0.young_modulus": "200 GPa", "displacements": displacements}
     drive = {"drive.history": None, "drive.steps": None, "drive.displacement": "0.4 mm", "drive.accuracy": "5 %"}
-    scene = load("block-on-a-bar", rod | drive | {"solver.rows": 50})
+    dry = {"law": "friction", "contact.unit_unit.tan_friction_angle": 0}  # such a drive goes by the forces of both ends
+    scene = load("block-on-a-bar", rod | drive | dry | {"solver.rows": 50})
     rock = {"name": "rock", "origin": ["-2.1 m", "-50 mm", "1.95 m"], "size": 3 * ["200 mm"], "unit": 2}
     boxes = [*scene.resolved()["specimen"]["box"], rock]
     supports = [*scene.resolved()["support"], {"on": "rock", "fix": "all"}]
