@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from geometry.jit_cache import compiled
 from masonry.detection.narrow import FACE
+from masonry.jit.compiler import jit
 from masonry.patches.arrays import LEVEL, PLACE, Near
 from masonry.patches.crushed_points import CLOSING, ROWS
 from masonry.simd import FOUR
@@ -28,7 +28,7 @@ def patch_compressions(near: Near) -> np.ndarray:
     return pressed
 
 
-@compiled
+@jit
 def _raise_to(pressed, stiffness, count, pairs, points, motion):
     """Raise pressed (R,) Pa to what points of patches press by. The rest as in Rules, PatchPairs, PatchPoints and
     BlockMotion; where nothing crushes there are no closings, and where blocks are rigid their frames carry normals."""
