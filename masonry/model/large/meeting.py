@@ -223,8 +223,10 @@ def near_of(
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
     most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
     search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
+    crushed = (
+        crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count], tets is not None) if meetings.crushes else None
+    )
     motion, members = motion_of(layout, bodies, pieces.reach, tets)
-    size = sizes_of(layout, tets)
     return Near(
         pieces=pieces,
         turned=turned_of(pieces),
@@ -239,7 +241,7 @@ def near_of(
         former=no_former_patch(most),
         scratch=scratch_of(pieces),
         account=np.zeros(6),
-        crushed=crushed_faces(pieces, size[: blocks.count], tets is not None) if meetings.crushes else None,
+        crushed=crushed,
     ), members
 
 

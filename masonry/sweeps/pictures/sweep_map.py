@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
+from masonry.runtime.named_file import is_marked
 from masonry.sweeps.pictures.varied_keys import VariedKey, keys_that_vary
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
@@ -29,7 +30,8 @@ GREY = "0.85"
 
 def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> tuple[str, ...]:
     """Write sweep-map.png where there is one; the name of what was written. Raises OSError."""
-    (folder / PICTURE).unlink(missing_ok=True)
+    if is_marked(folder / PICTURE):  # of an earlier sweep, which may have had two keys
+        (folder / PICTURE).unlink()
     figure = map_figure(title, planned, rows)
     if figure is None:
         return ()
