@@ -17,7 +17,7 @@ from masonry.jit.compiled_parts import Call, RepeatedCall
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import Near
-from masonry.patches.press import point_forces
+from masonry.patches.measures import point_forces
 
 ROUNDS = 20
 """Of leaving out contacts that would pull, at most."""

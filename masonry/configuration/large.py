@@ -7,7 +7,6 @@ import numpy as np
 
 from masonry.configuration.bar_forces import stiffened
 from masonry.configuration.chunk import Chunk, begin_at
-from masonry.configuration.compressions import patch_compressions
 from masonry.configuration.contacts import (
     crushing_of,
     look_at_contacts,
@@ -28,7 +27,7 @@ from masonry.kernels.shaking import shaking
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA, BORN, CRUSHED, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
-from masonry.patches.press import deepest, stored_energy
+from masonry.patches.measures import compressions, deepest, stored_energy
 from masonry.rows.columns import CRUSHING, LARGE_UNITS
 
 ROUNDED = 1e-6
@@ -45,6 +44,10 @@ class LargeDisplacement:
         self.model, self.parts, self.stepper = model, large, Stepper()
         self.columns: tuple[str, ...] = (*LARGE_UNITS, *self._crushing())
         self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
+        self.compressions, self.compression = (
+            RepeatedCall(compressions),
+            np.zeros(len(large.near.rules.normal_stiffness)),
+        )
         self.bearing = BearingPoints(large.near)
         self.energy, self.deepest_overlap, self.deepest_pair = np.zeros(1), np.zeros(1), np.zeros(1, dtype=np.int64)
 
@@ -74,7 +77,7 @@ class LargeDisplacement:
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))
         calls = calls.followed_by(shaking(model.moved_supports, bodies))
-        calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self.bearing.of(large.near)]
+        calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self._compressions(), self.bearing.of(large.near)]
         return calls
 
     def _stored(self) -> Call:
@@ -82,6 +85,9 @@ class LargeDisplacement:
 
     def _overlap(self, width: np.ndarray) -> Call:
         return self.overlap.of(self.parts.near, width, self.deepest_overlap, self.deepest_pair)
+
+    def _compressions(self) -> Call:
+        return self.compressions.of(self.parts.near, self.compression)
 
     def let_patches_fade(self, acts: bool) -> None:
         dashpots, rules = self.model.dashpots, self.parts.near.rules
@@ -174,7 +180,9 @@ class LargeDisplacement:
         return float(self.deepest_overlap[0]), (int(a), int(b))
 
     def patch_compressions(self) -> np.ndarray:
-        return patch_compressions(self.parts.near)
+        self.compression[:] = 0.0
+        self._compressions()()
+        return self.compression.copy()
 
     def rounding(self, kinetic: float) -> float:
         mass = sum(float(of_kind[:, 0].sum()) for of_kind in self.model.masses.values())

@@ -115,7 +115,7 @@ class Search(NamedTuple):
     candidates  (F, 2) room for the pairs that a search finds
     losers   (F,) room for the pairs that lost normal energy in the looks of a step
     listed   (1,) whether each block's pairs are listed as they are: first_pair (B,), next_pair (F, 2):
-    first_pair, next_pair   pairs_of_blocks.py
+    first_pair, next_pair   sunk_edges.list_pairs
     patches  (F,) room for how many patches lie on each face
     stale    (F,) faces whose patches are all looked at in this step; (B,) the same of blocks: refreshing.py
     stale_block

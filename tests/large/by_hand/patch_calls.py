@@ -2,14 +2,15 @@
 
 import numpy as np
 
-from masonry.patches import press as parts
+from masonry.patches import measures
 from masonry.patches.arrays import Near
+from masonry.patches.press import press as rigid
 from masonry.patches.press_deforming import press_deforming as deforming
 
 
 def press(near: Near, dt: float) -> None:
     """Forces of patches between rigid blocks, into near.motion.push."""
-    parts.press.of(near, dt)()
+    rigid.of(near, dt)()
 
 
 def press_deforming(near: Near, dt: float) -> None:
@@ -20,12 +21,12 @@ def press_deforming(near: Near, dt: float) -> None:
 def stored_energy(near: Near) -> float:
     """J."""
     energy = np.zeros(1)
-    parts.stored_energy.of(near, energy)()
+    measures.stored_energy.of(near, energy)()
     return float(energy[0])
 
 
 def deepest(near: Near, width: np.ndarray) -> float:
     """The deepest overlap over the width (B,) m of the thinner block."""
     overlap, pair = np.zeros(1), np.zeros(1, dtype=np.int64)
-    parts.deepest.of(near, width, overlap, pair)()
+    measures.deepest.of(near, width, overlap, pair)()
     return float(overlap[0])
