@@ -49,8 +49,8 @@ def plan_of(scene: Scene, dt: float) -> Plan:
 def growing(scene: Scene) -> Growing:
     """The load of [limit], which grows until nothing balances it."""
     limit, settle = scene.limit, _settle(scene)
-    assert limit is not None and limit.accuracy is not None
-    path = FactorPath(limit.accuracy, limit.up_to or UP_TO, limit.history or (), limit.pattern == "tilt")
+    assert limit is not None and limit.run_accuracy is not None
+    path = FactorPath(limit.run_accuracy, limit.up_to or UP_TO, limit.history or (), limit.pattern == "tilt")
     control = None if limit.control is None or limit.until is None else Control(limit.control, limit.until)
     return Growing(rise(settle, settle) if settle else np.ones(1), path, limit.pattern, control, scene.loops_over)
 

@@ -135,6 +135,7 @@ def summary_rows(summary: Summary) -> Rows:
     rows = [
         *(_peak_rows(summary) if driven else _rest_rows(summary)),
         *_collapse_rows(summary),
+        ("left out", [f"{summary.left_out} (limit.accuracy = 'none')"] if summary.left_out else []),
         *_gauge_rows(summary, driven),
         ("measured", measured_lines(summary.beside_measured) if summary.beside_measured else []),
         ("standard", standard_lines(summary.standard) if summary.standard else []),

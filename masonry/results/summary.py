@@ -21,7 +21,7 @@ Numbers = Mapping[str, float | None]
 
 @dataclass(frozen=True, eq=False)
 class Description(Record):
-    """What was run."""
+    """What was run; `left_out` is the load of [limit], in words, where the scene has runs leave it out on purpose."""
 
     scene: str | None = None
     law: str | None = None
@@ -35,6 +35,7 @@ class Description(Record):
     tets: int | None = None
     freedoms: int | None = None
     section_m2: float | None = None
+    left_out: str | None = None
     version: str | None = None
     source_hash: str | None = None
 

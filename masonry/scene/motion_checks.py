@@ -67,7 +67,7 @@ def _limit(scene: Any) -> None:
         about = scene.limit.about[-1]
         if not any(g for axis, g in zip("xyz", gravity.vector, strict=True) if axis != about):
             raise KeyedError("limit.about", f"gravity acts along {about} alone: turning it changes nothing")
-    if scene.limit.accuracy is not None:
+    if scene.grows:
         _grows(scene)
 
 

@@ -168,7 +168,7 @@ class SceneData(Table):
     @property
     def grows(self) -> bool:
         """Whether a run lets the load of [limit] grow until nothing balances it."""
-        return self.limit is not None and self.limit.accuracy is not None
+        return self.limit is not None and self.limit.run_accuracy is not None
 
     @property
     def turns_back(self) -> bool:

@@ -11,6 +11,7 @@ from masonry.scene import load
 
 ARCH, BRIDGE = "arch-own-weight", "bridge-single-span"
 HEAVY = {"vehicle.axles": ["6000 kN", "12000 kN"], "vehicle.spacings": ["1.5 m"], "vehicle.direction": "x"}
+NONE = {"limit.accuracy": "none"}
 WEIGHT = {"limit": {"pattern": "weight", "direction": "y"}}
 FORCE = {"limit": {"pattern": "force", "on": "keystone", "force": {"z": "-1 kN"}}}
 TRACTION = {"limit": {"pattern": "traction", "on": "keystone.z+", "stress": {"z": "-1 kPa"}}}
@@ -58,11 +59,31 @@ def test_weight_the_other_way_is_left_out():
     assert raised(ARCH, WEIGHT | {"gravity.y": "-1 m/s^2"})
 
 
-def test_a_run_under_dead_loads_alone_is_taken_with_care():
-    result = masonry.run(ARCH)
+def test_a_run_under_dead_loads_alone_is_taken_with_care_unless_that_is_said_to_be_meant():
+    result = masonry.run(load(ARCH, FORCE))
     assert result.verdict == "with care"
-    assert [doubt.name for doubt in result.doubts] == ["load_left_out"]
+    assert [doubt.name for doubt in result.doubts] == ["load_left_out"] and result.summary["left_out"] == ""
+    meant = masonry.run(ARCH)
+    assert meant.verdict == "sound" and meant.summary["left_out"] == "the force on 'keystone'"
+    assert "left out           the force on 'keystone' (limit.accuracy = 'none')" in str(meant)
     assert masonry.run(load(ARCH, {"limit": None})).verdict == "sound"
+
+
+def test_an_accuracy_takes_the_place_of_none():
+    assert load(ARCH).limit.run_accuracy is None and not load(ARCH).grows
+    assert load(ARCH, {"limit.accuracy": "1 %"}).limit.run_accuracy == 0.01
+    with pytest.raises(SceneError, match=r"^limit.accuracy: .*; or 'none', by which runs leave this load out"):
+        load(ARCH, {"limit.accuracy": "nothing"})
+    with pytest.raises(SceneError, match=r"^limit.up_to: a run whose load grows ends there"):
+        load(ARCH, {"limit.up_to": 3})
+
+
+def test_a_bridge_without_its_axles_has_its_dead_loads_alone():
+    result = masonry.run(load(BRIDGE, NONE))
+    assert result.verdict == "sound" and result.summary["left_out"].startswith("the axle of the vehicle, 100 kN")
+    weight = masonry.run(load(BRIDGE, {"vehicle": None, "limit": None}))
+    reactions = [one.summary["reactions"]["end"]["support.0"]["force_n"] for one in (result, weight)]
+    assert reactions[0] == reactions[1]
 
 
 @pytest.mark.parametrize("place", [{}, {"vehicle.position": "1.5 m"}])

@@ -55,7 +55,7 @@ class Inspection:
     def accuracy(self) -> float:
         """The accuracy that the scene asks for, but no less than that of an estimate from joint faces."""
         drive, limit = self.assembly.scene.drive, self.assembly.scene.limit
-        wanted = drive.accuracy if drive is not None else None if limit is None else limit.accuracy
+        wanted = drive.accuracy if drive is not None else None if limit is None else limit.run_accuracy
         return max(WITHOUT if wanted is None else wanted, LEAST)
 
     @property

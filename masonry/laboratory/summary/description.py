@@ -8,6 +8,7 @@ from masonry.jit.sources import source_hash
 from masonry.laboratory.summary.provenance import own_sources
 from masonry.results.summary import Course, Description
 from masonry.scene import Scene
+from masonry.scene.tables.limit import LEFT_OUT
 from masonry.timeloop.recording import Outcome
 
 
@@ -29,6 +30,7 @@ def description(assembly: Assembly) -> Description:
         tets=0 if assembly.mesh is None else len(assembly.mesh.tets),
         freedoms=model.dofs,
         section_m2=specimen.section,
+        left_out=_left_out(scene),
         version=__version__,
         source_hash=_sources(scene),
     )
@@ -48,6 +50,14 @@ def course(assembly: Assembly, outcome: Outcome) -> Course:
         interrupted=outcome.interrupted,
         stopped=outcome.stopped,
     )
+
+
+def _left_out(scene: Scene) -> str:
+    """The load of [limit] where runs leave it out on purpose, else nothing."""
+    limit = scene.limit
+    if limit is None or limit.accuracy != LEFT_OUT:
+        return ""
+    return limit.words if scene.vehicle is None else scene.vehicle.words
 
 
 def _joined(words: dict[str, str]) -> str:

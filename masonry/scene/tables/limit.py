@@ -6,7 +6,7 @@ from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
 from masonry.scene.tables.gravity_and_floor import Coordinate
 from masonry.scene.tables.load_history import read_factors
-from masonry.scene.tables.loads_and_supports import Accuracy
+from masonry.scene.tables.loads_and_supports import accuracy_share
 from masonry.scene.tables.types import Direction, Given, KeyedError, Selector, StressVector, Table
 
 Force = Annotated[float, Given("force", "[-1e15, 1e15]")]
@@ -20,6 +20,8 @@ KEYS = {
 }
 """Keys of each pattern."""
 OPTIONAL = ("at",)
+LEFT_OUT = "none"
+"""The accuracy of a load that runs leave out on purpose."""
 OF_RUNS = ("accuracy", "up_to", "control", "until", "history")
 """Keys of runs that drive the load to collapse, and beyond it, or to and fro, with any pattern but "drive"."""
 EXAMPLES = {
@@ -37,6 +39,16 @@ class ForceTable(NamedTuple):
     x: Force = 0.0
     y: Force = 0.0
     z: Force = 0.0
+
+
+def _accuracy(value: Any) -> Any:
+    """A share, a percentage, or the word by which runs leave the load out."""
+    if value == LEFT_OUT:
+        return value
+    try:
+        return accuracy_share(value)
+    except ValueError as error:
+        raise ValueError(f"{error}; or '{LEFT_OUT}', by which runs leave this load out") from None
 
 
 def _directions(value: Any) -> Any:
@@ -58,7 +70,8 @@ class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
     axis, a force on blocks, a traction on a face, what the drive pushes with, or the axles of a vehicle. With an
     accuracy a run lets it grow until nothing balances it, up to a factor at most; a gauge to control is then led on
-    until it reads so much. Or the load goes to and fro, through the factors of a history."""
+    until it reads so much. Or the load goes to and fro, through the factors of a history. With the accuracy "none" runs
+    leave it out on purpose."""
 
     pattern: Literal["weight", "tilt", "force", "traction", "drive", "vehicle"]
     direction: Direction | None = None
@@ -67,11 +80,16 @@ class LimitLoad(Table):
     force: ForceVector | None = None
     at: tuple[Coordinate, Coordinate, Coordinate] | None = None
     stress: StressVector | None = None
-    accuracy: Accuracy | None = None
+    accuracy: Annotated[float | Literal["none"] | None, BeforeValidator(_accuracy)] = None
     up_to: Annotated[float, Given("number", "[1e-6, 1e6]")] | None = None
     control: Annotated[str, Field(max_length=60)] | None = None
     until: Annotated[float, Given("length", "[-1e5, 1e5]")] | None = None
     history: Annotated[tuple[float, ...] | None, BeforeValidator(read_factors)] = None
+
+    @property
+    def run_accuracy(self) -> float | None:
+        """To which a run encloses the factor; None where a run leaves the load out."""
+        return self.accuracy if isinstance(self.accuracy, float) else None
 
     @property
     def words(self) -> str:
@@ -99,7 +117,7 @@ class LimitLoad(Table):
                 raise KeyedError(key, f"missing; pattern = '{self.pattern}' needs it, for example {EXAMPLES[key]}")
         if self.accuracy is not None and self.pattern == "drive":
             raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
-        if self.accuracy is None and self.up_to is not None:
+        if self.run_accuracy is None and self.up_to is not None:
             raise KeyedError("up_to", "a run whose load grows ends there: that needs accuracy = '1 %'")
         self._can_be_led()
         self._can_turn_back()
@@ -112,7 +130,7 @@ class LimitLoad(Table):
         if (self.control is None) != (self.until is None):
             missing, other = ("until", "control") if self.until is None else ("control", "until")
             raise KeyedError(missing, f"missing; {other} needs it: control = a gauge's name, until = '80 mm'")
-        if self.control is not None and self.accuracy is None:
+        if self.control is not None and self.run_accuracy is None:
             raise KeyedError("control", "a run leads this gauge on after the collapse: that needs accuracy = '1 %'")
         if self.until == 0.0:
             raise KeyedError("until", "is 0; give the reading of the gauge at which the run ends")
@@ -120,7 +138,7 @@ class LimitLoad(Table):
     def _can_turn_back(self) -> None:
         if self.history is None:
             return
-        if self.accuracy is None:
+        if self.run_accuracy is None:
             raise KeyedError("history", "a run follows this history: that needs accuracy = '1 %'")
         for key in ("up_to", "control", "until"):
             if getattr(self, key) is not None:

@@ -48,7 +48,7 @@ def _time_step(value: Any) -> str | float:
     return convert(value, "time", "time_step", "[1e-18, 1e9]")
 
 
-def _accuracy(value: Any) -> Any:
+def accuracy_share(value: Any) -> Any:
     """A share, or a percentage: 0.01 or "1 %"."""
     if not (isinstance(value, str) and value.rstrip().endswith("%")):
         return value if value is None else convert(value, "number", "accuracy", "[1e-4, 0.2]")
@@ -58,7 +58,7 @@ def _accuracy(value: Any) -> Any:
         raise ValueError(f"{value[:40]!r} does not fit; accuracy must be in [0.01, 20] %") from None
 
 
-Accuracy = Annotated[float, BeforeValidator(_accuracy)]
+Accuracy = Annotated[float, BeforeValidator(accuracy_share)]
 """A share that a file gives as such or in per cent."""
 
 

@@ -1,5 +1,6 @@
 """Does a run apply the load of [limit]? It does so with `limit.accuracy` only: without it the load is for
-`masonry limit`, and the answer of a run is that of all other loads alone.
+`masonry limit`, and the answer of a run is that of all other loads alone. With the accuracy "none" that is on purpose,
+and the summary says so.
 
 Not asked where something else loads the specimen in the run: a drive, gravity that tilts, a load with a history, ground
 that moves, a motion; nor where the weight acts along `limit.direction` already. A vehicle in a run is refused.
@@ -24,11 +25,11 @@ def doubts(assembly: Assembly) -> list[Doubt]:
     """One at most."""
     scene = assembly.scene
     limit = scene.limit
-    if limit is None or scene.grows or (limit.pattern != "vehicle" and is_loaded(scene)):
+    if limit is None or limit.accuracy is not None or (limit.pattern != "vehicle" and is_loaded(scene)):
         return []
     words = WORDS[limit.pattern].format(on=limit.on)
     sentence = f"a run leaves out the load of [limit], {words}: its answer is that of the other loads alone"
-    advice = "give limit.accuracy = '1 %' for a run in which it grows; or ask `masonry limit`"
+    advice = "give limit.accuracy = '1 %' for a run in which it grows, 'none' where only `masonry limit` needs it"
     if scene.vehicle is not None:
         sentence, advice = f"a run leaves out the load of [limit], {words}, and is refused", VEHICLE_CURE
     return [Doubt("load_left_out", None, None, sentence, advice)]
