@@ -1,6 +1,6 @@
 """In words: how a computed curve lies beside a measured one, and what a test by a standard reports."""
 
-from masonry.results.summary import MeasuredBeside, StandardResults
+from masonry.results.records.laboratory_record import MeasuredBeside, StandardResults
 
 WORDS = {"EN 1052-1": ("compressive strength", "E"), "ASTM E519": ("shear strength", "G")}
 

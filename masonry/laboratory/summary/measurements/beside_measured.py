@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.results.summary import CurveReadings, MeasuredBeside
+from masonry.results.records.laboratory_record import CurveReadings, MeasuredBeside
 from masonry.rows import measured_curve
 from masonry.rows.measured_curve import CurveNumbers, ForcePath
 from masonry.timeloop.recording import Outcome

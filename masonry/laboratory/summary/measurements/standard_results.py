@@ -1,7 +1,7 @@
 """What a test by a standard reports, where the scene names one."""
 
 from masonry.assembly.assemble import Assembly
-from masonry.results.summary import StandardResults
+from masonry.results.records.laboratory_record import StandardResults
 from masonry.rows.standard_test import compression, diagonal_compression
 from masonry.timeloop.recording import Outcome
 
