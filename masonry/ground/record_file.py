@@ -1,4 +1,8 @@
-"""Records of the ground from files: time and one column a component, separated by commas, under a line of names."""
+"""Records of the ground from files: times and a column a component, under a line of names, or numbers alone.
+
+Columns are separated by commas, or by semicolons, tabs or blanks; a comma in a number is its decimal point then. Files
+of PEER (.AT2) hold one component, line by line, and say the time from sample to sample above it.
+"""
 
 import re
 from dataclasses import dataclass
@@ -23,8 +27,15 @@ ROUNDED, MOST_ROUNDED = 0.51, 0.2
 """Of the last digit that is printed: how far it may lie besides, but no more than a share of the step."""
 SHOWN = 8
 """Names of columns that a message shows."""
+SEPARATORS = (";", "\t", None, ",")
+"""Of columns, in the order in which they are looked for; None stands for blanks."""
 _IN_BRACKETS = re.compile(r"\s*[(\[]\s*([^)\]]*)[)\]]\s*$")
+_NAMED = re.compile(r"\S+(?:\s+[(\[][^)\]]*[)\]])?")
+_PEER = re.compile(r"NPTS\s*=\s*\d+\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?)|([\d.]+)\s+NPTS\s*,\s*DT", re.IGNORECASE)
+_PEER_UNIT = re.compile(r"UNITS OF ([A-Z/0-9]+)", re.IGNORECASE)
+_DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d{2,}")
 _PER_SECOND = {"acceleration": "m/s^2", "velocity": "m/s", "displacement": "m"}
+NO_TIMES = "say the time from sample to sample, step = '0.01 s'"
 GRAVITIES = {"g", "g's", "gs", "gn", "g_n", "G"}
 """What people write for the acceleration of gravity, 9.80665 m/s2."""
 
@@ -32,12 +43,12 @@ GRAVITIES = {"g", "g's", "gs", "gn", "g_n", "G"}
 @dataclass(frozen=True)
 class RecordFile:
     """What a file holds: names of its columns, and their values (rows, columns); times in s from 0 on, as `time` reads
-    them."""
+    them; `step` (s) from sample to sample, where the file says so."""
 
     name: str
     columns: tuple[str, ...]
     values: np.ndarray
-    first_line: int
+    step: float | None = None
 
     def column(self, word: str) -> int:
         """The number of a column by its name, without the unit in brackets, in letters of any size; or by its number
@@ -54,19 +65,30 @@ class RecordFile:
         if word.isdecimal() and 1 <= int(word) <= len(plain):
             return int(word) - 1
         known = nearest(_plain(word), [visible(name[:60]) for name in plain[:SHOWN]])
-        raise SceneError(f"{self.name} has no column '{visible(word[:60])}'; {known}; a number names one too: '2'")
+        raise SceneError(
+            f"{self.name} has no column '{visible(word[:60])}'; {known}; so does its number: '{len(plain)}'"
+        )
 
     def unit_of(self, column: int) -> str | None:
         """What stands in brackets behind the name of a column."""
         match = _IN_BRACKETS.search(self.columns[column])
         return match[1].strip() if match and match[1].strip() else None
 
-    def time(self, word: str | None) -> np.ndarray:
-        """(n,) s, from 0 on, in equal steps; of the first column unless another is named. SceneError otherwise."""
+    def time(self, word: str | None, step: float | None = None) -> np.ndarray:
+        """(n,) s, from 0 on, in equal steps; of the first column unless another is named or the step (s) is known.
+        SceneError otherwise."""
+        if self.step is not None and step is not None and abs(step - self.step) > ODD_STEP * step:
+            raise SceneError(f"{self.name} says that its step is {self.step:g} s: leave ground.step out")
+        if (step := step or self.step) is not None:
+            return np.asarray(step * np.arange(len(self.values)))
+        if len(self.columns) == 1:
+            raise SceneError(f"{self.name} has no column of times: {NO_TIMES}")
         column = 0 if word is None else self.column(word)
         unit = self.unit_of(column)
         if unit is not None and unit.rstrip(".").lower() not in ("s", "sec", "secs", "second", "seconds"):
-            raise SceneError(f"{self.name}: the time is in '{visible(unit[:40])}', and must be in s")
+            raise SceneError(
+                f"{self.name}: the time is in '{visible(unit[:40])}', and must be in s; if none has times, {NO_TIMES}"
+            )
         return self._equal_steps(self.values[:, column])
 
     def _equal_steps(self, time: np.ndarray) -> np.ndarray:
@@ -74,7 +96,8 @@ class RecordFile:
         if not (steps > 0.0).all():
             k = int(np.argmin(steps > 0.0))
             raise SceneError(
-                f"{self._row(k + 1)}: the time {time[k + 1]:.10g} s is not later than the one before, {time[k]:.10g} s"
+                f"{self._row(k + 1)}: the time {time[k + 1]:.10g} s is not later than the one before, "
+                f"{time[k]:.10g} s; if none has times, {NO_TIMES}"
             )
         step = (time[-1] - time[0]) / (len(time) - 1)
         equal = step * np.arange(len(time))
@@ -100,7 +123,9 @@ class RecordFile:
         if unit is None:
             unit = in_file
             if unit is None:
-                raise SceneError(f"unit: missing; {self.name} does not say in which unit '{word}' is: unit = 'g'")
+                raise SceneError(
+                    f"unit: missing; {self.name} does not say in which unit '{word}' is: unit = 'g', or 'cm/s2', ..."
+                )
             return self.values[:, column] * factor_of(unit, quantity, f"{self.name}, column '{word}'")
         factor = factor_of(unit, quantity, "unit")
         if in_file is not None:
@@ -140,61 +165,109 @@ def read_record(path: Path) -> RecordFile:
     """The numbers of a file. Raises SceneError: one message with the file and the row."""
     text, name = text_of(path, LARGEST), f"'{path.name}'"
     lines = text.splitlines()
-    first = next((k for k, line in enumerate(lines) if _is_numbers(line)), None)
-    if first is None:
-        raise SceneError(_why_no_numbers(name, lines))
-    width = lines[first].count(",") + 1
-    above = [line.strip().lstrip("#%").strip() for line in lines[:first] if line.strip()]
-    header = _names_and_units([line for line in above[-2:] if line.count(",") + 1 == width])
-    if header is None and above and not lines[first - 1].lstrip().startswith(("#", "%")):
-        raise SceneError(
-            f"{name}: the line above the numbers names {above[-1].count(',') + 1} columns, the numbers have {width}"
-        )
+    separator, first = _first_numbers(name, lines)
+    heads = lines[:first]
+    if (match := _PEER.search("\n".join(heads))) is not None:
+        return _of_peer(name, heads, lines[first:], float(match[1] or match[2]))
+    width = len(_cells(lines[first], separator))
+    above = [_cells(line.strip().lstrip("#%"), separator) for line in heads if line.strip()]
+    header = _names_and_units([cells for cells in above[-2:] if len(cells) == width])
+    if header is None and above and width > 1 and separator and not heads[-1].lstrip().startswith(("#", "%")):
+        raise SceneError(f"{name}: the line above the numbers names {len(above[-1])} columns, the numbers have {width}")
     columns = [f"column {k + 1}" for k in range(width)]
     if header is not None:
-        columns = [column.strip().strip("\"'") for column in header.split(",")]
-    values = _numbers(name, lines[first:], width)
-    if len(values) < FEWEST:
-        raise SceneError(f"{name} has {len(values)} samples; a record has {FEWEST} or more")
-    return RecordFile(name, tuple(columns), values, first + 1)
+        columns = [column.strip("\"'") for column in header]
+    return _with_enough(RecordFile(name, tuple(columns), _numbers(name, lines[first:], separator, width)))
 
 
-def _names_and_units(above: list[str]) -> str | None:
-    """The line of names above the numbers; where units in brackets have a line of their own below it, both as one."""
-    if not above or len(above) == 1:
+def _with_enough(record: RecordFile) -> RecordFile:
+    if len(record.values) < FEWEST:
+        raise SceneError(f"{record.name} has {len(record.values)} samples; a record has {FEWEST} or more")
+    return record
+
+
+def _of_peer(name: str, heads: list[str], lines: list[str], step: float) -> RecordFile:
+    """The one component of a file of PEER, whose numbers go on from line to line."""
+    cells = " ".join(lines).split()
+    wrong = next((cell for cell in cells if not _is_finite(cell)), None)
+    if wrong is not None or step <= 0.0:
+        raise SceneError(f"{name}: '{visible(str(wrong or step)[:40])}' is no number of a file of PEER")
+    unit = _PEER_UNIT.search("\n".join(heads))
+    column = "column 1" if unit is None else f"column 1 ({unit[1].lower()})"
+    return _with_enough(RecordFile(name, (column,), np.array(cells, dtype=float)[:, None], step))
+
+
+def _first_numbers(name: str, lines: list[str]) -> tuple[str | None, int]:
+    """What separates the columns, and the number of the first line of numbers: of two or more, if there is one."""
+    for fewest in (2, 1):
+        for k, line in enumerate(lines):
+            for separator in SEPARATORS:
+                cells = [_point(cell, separator) for cell in _cells(line, separator)]
+                numbers = [_is_finite(cell) for cell in (cells if separator is None else cells[:1])]
+                if len(cells) >= fewest and all(numbers):
+                    return separator, k
+    raise SceneError(f"{name} has no line of numbers")
+
+
+def _cells(line: str, separator: str | None) -> list[str]:
+    """Of a line; among blanks a unit in brackets belongs to the name before it."""
+    return _NAMED.findall(line) if separator is None else [cell.strip() for cell in line.split(separator)]
+
+
+def _point(cell: str, separator: str | None) -> str:
+    """A number with a decimal point; a comma at its end stands between two of them."""
+    return cell if separator == "," or cell.endswith(",") else cell.replace(",", ".")
+
+
+def _names_and_units(above: list[list[str]]) -> list[str] | None:
+    """The names above the numbers; where units have a line of their own below them, both as one."""
+    if len(above) < 2:
         return above[0] if above else None
-    names, units = (line.split(",") for line in above)
-    if all(not unit.strip() or re.fullmatch(r"\s*[(\[].*[)\]]\s*", unit) for unit in units):
-        return ",".join(f"{one.strip()} {unit.strip()}" for one, unit in zip(names, units, strict=True))
-    return above[1]
+    names, units = above
+    plain = [unit.strip("()[]").strip() for unit in units]
+    if not all(not unit or unit != inner or _is_unit(inner) for unit, inner in zip(units, plain, strict=True)):
+        return units
+    return [f"{one} ({unit})" if unit else one for one, unit in zip(names, plain, strict=True)]
 
 
-def _numbers(name: str, lines: list[str], width: int) -> np.ndarray:
+def _is_unit(text: str) -> bool:
+    """Whether this is the unit of a time or of a motion, without brackets."""
+    if text in ("s", "sec"):
+        return True
+    for quantity in _PER_SECOND:
+        try:
+            factor_of(text, quantity, "")
+        except SceneError:
+            continue
+        return True
+    return False
+
+
+def _numbers(name: str, lines: list[str], separator: str | None, width: int) -> np.ndarray:
     """(n, width) finite numbers."""
-    rows = [line for line in lines if line.strip()]
+    lines = [line for line in lines if line.strip()]
+    if separator == "," and all(_DECIMAL_COMMA.fullmatch(line.strip()) for line in lines):
+        raise SceneError(
+            f"{name}: '{visible(lines[0].strip()[:40])}' may be one number with a decimal comma: write the decimal "
+            "point as '.', or separate columns by ';'"
+        )
+    rows = [[_point(cell, separator) for cell in _cells(line, separator)] for line in lines]
     try:
-        values = np.array([line.split(",") for line in rows], dtype=float)
+        values = np.array(rows, dtype=float)
         if values.shape == (len(rows), width) and np.isfinite(values).all():
             return values
     except ValueError:
         pass
-    for k, line in enumerate(rows):
-        cells = line.split(",")
+    for k, cells in enumerate(rows):
         if len(cells) != width:
             raise SceneError(f"{name}, row {k + 1} of the numbers: {len(cells)} columns, where the first has {width}")
         for cell in cells:
             if not _is_finite(cell):
                 raise SceneError(
-                    f"{name}, row {k + 1} of the numbers: {visible(repr(cell.strip()[:40]))} is not a finite number; "
+                    f"{name}, row {k + 1} of the numbers: {visible(repr(cell[:40]))} is not a finite number; "
                     "fill the gap, or leave out the rows before or after it"
                 )
     raise SceneError(f"{name}: its numbers cannot be read")
-
-
-def _is_numbers(line: str) -> bool:
-    """Whether a line begins with a finite number and a comma."""
-    cells = line.split(",")
-    return len(cells) > 1 and ";" not in line and _is_finite(cells[0])
 
 
 def _is_finite(cell: str) -> bool:
@@ -202,17 +275,6 @@ def _is_finite(cell: str) -> bool:
         return isfinite(float(cell))
     except ValueError:
         return False
-
-
-def _why_no_numbers(name: str, lines: list[str]) -> str:
-    """What to say of a file in which no line of numbers was found."""
-    for line in lines:
-        if re.match(r"\s*[-+]?[\d.,]+(?:[eE][-+]?\d+)?\s*;", line):
-            decimal = " and write the decimal point as '.'" if re.search(r"\d,\d", line) else ""
-            return f"{name}: columns are separated by ';'; separate them by ','{decimal}"
-        if re.match(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?[ \t]+[-+]?[\d.]", line):
-            return f"{name}: columns are separated by blanks; separate them by ','"
-    return f"{name} has no line with two or more numbers, separated by ','"
 
 
 def _plain(name: str) -> str:

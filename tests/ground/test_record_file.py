@@ -9,12 +9,12 @@ from masonry.ground.record_file import read_record
 GOOD = "time (s),acceleration (g)\n0.00,0.1\n0.01,-0.2\n0.02,0.3\n"
 
 
-def samples(folder, text, word="acceleration", quantity="acceleration", unit=None, time=None):
+def samples(folder, text, word="acceleration", quantity="acceleration", unit=None, time=None, step=None):
     """Times and values of a column of a file with this text."""
     file = folder / "own.csv"
     file.write_bytes(text if isinstance(text, bytes) else text.encode())
     record = read_record(file)
-    return record.time(time), record.samples(word, quantity, unit)
+    return record.time(time, step), record.samples(word, quantity, unit)
 
 
 @pytest.mark.parametrize(
@@ -25,6 +25,11 @@ def samples(folder, text, word="acceleration", quantity="acceleration", unit=Non
         GOOD.replace("\n", "\r\n"),
         "# Time Series: a town\n# Time (s),Acceleration (g's)\n0.00,0.1\n0.01,-0.2\n0.02,0.3\n",
         "time,acceleration [cm/s2]\n2.00,98.0665\n2.01,-196.133\n2.02,294.1995\n\n",
+        GOOD.replace(",", ";"),
+        GOOD.replace(",", ";").replace(".", ",").replace("\n", "\r\n"),
+        GOOD.replace(",", "\t"),
+        "A town, 1995\ntime (s)  acceleration (g)\n 0.00  0.1\n 0.01 -0.2\n 0.02  0.3\n",
+        "time,acceleration\ns,g\n0.00,0.1\n0.01,-0.2\n0.02,0.3\n",
         "acceleration (m/s/s), time\n0.980665,0.0\n-1.96133,0.01\n2.941995,0.02\n",
     ],
 )
@@ -43,6 +48,23 @@ def test_a_column_may_be_named_by_its_number(tmp_path):
     assert samples(tmp_path, "0,1\n1,2\n2,3\n", word="2", unit="m/s2")[1] == pytest.approx([1, 2, 3])
 
 
+def test_values_without_times_follow_one_another_in_a_step(tmp_path):
+    time, values = samples(tmp_path, "East (gal) at 100 Hz\n98.0665\n-196.133\n294.1995\n", "1", unit="gal", step=0.01)
+    assert time == pytest.approx([0.0, 0.01, 0.02]) and values == pytest.approx(9.80665 * np.array([0.1, -0.2, 0.3]))
+
+
+def test_a_file_of_peer_goes_on_from_line_to_line_and_says_its_step(tmp_path):
+    heads = "PEER NGA\nA town, 1/16/1995, 090\nACCELERATION TIME SERIES IN UNITS OF G\n"
+    numbers = "  .1000000E+00 -.2000000E+00\n  .3000000E+00\n"
+    for line in ("NPTS=   3, DT=   .0100 SEC,\n", "   3   0.0100   NPTS, DT\n"):
+        time, values = samples(tmp_path, heads + line + numbers, "1")
+        assert time == pytest.approx([0.0, 0.01, 0.02]) and values == pytest.approx(
+            9.80665 * np.array([0.1, -0.2, 0.3])
+        )
+    with pytest.raises(SceneError, match="says that its step is 0.01 s"):
+        samples(tmp_path, heads + line + numbers, "1", step=0.02)
+
+
 @pytest.mark.parametrize(
     ("text", "says"),
     [
@@ -52,15 +74,19 @@ def test_a_column_may_be_named_by_its_number(tmp_path):
         (GOOD.replace("0.02", "0.03"), "a step of 0.0[12] s, where the others are 0.0"),
         (GOOD.replace("0.02", "0.01"), "row 3 of the numbers: the time 0.01 s is not later than the one before"),
         (GOOD.rsplit("\n", 2)[0] + "\n", "has 2 samples; a record has 3 or more"),
-        (GOOD.replace(",", ";"), "columns are separated by ';'; separate them by ','$"),
-        (GOOD.replace(",", ";").replace(".", ","), "separated by ';'.*write the decimal point as '.'"),
-        (GOOD.replace(",", "\t"), "separated by blanks"),
+        ("1,234\n-0,456\n0,789\n", "'1,234' may be one number with a decimal comma"),
+        ("acceleration (g)\n1\n2\n3\n", "has no column of times: say the time from sample to sample, step = '0.01 s'"),
+        ("acceleration,up\n3,1\n2,2\n1,1\n", "not later than .*; if none has times, say the time from"),
+        ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0 x\n", "'x' is no number of a file of PEER"),
         ("time,acc (g)\n0,1\n1,2\n2,3\n", "no column 'acceleration'; known here: acc, time; did you mean 'acc'"),
-        ("time (ms),acceleration (g)\n0,1\n1,2\n2,3\n", "the time is in 'ms', and must be in s"),
+        (
+            "time (ms),acceleration (g)\n0,1\n1,2\n2,3\n",
+            "the time is in 'ms', and must be in s; if none has times",
+        ),
         ("time,acceleration (mm)\n0,1\n1,2\n2,3\n", "'mm' is no unit of an acceleration; give g, m/s\\^2 or cm/s\\^2"),
         ("time,acceleration\n0,1\n1,2\n2,3\n", "unit: missing"),
         ("time,acceleration (g)\n0,1,5\n1,2,6\n2,3,7\n", "names 2 columns, the numbers have 3"),
-        ("time,acceleration (g)\n", "no line with two or more numbers"),
+        ("time,acceleration (g)\n", "has no line of numbers"),
         ("", "is empty"),
         (b"time,acceleration (\xff)\n", "not UTF-8"),
         ("a,a (g)\n0,1\n1,2\n2,3\n", "has no column 'acceleration'"),

@@ -42,6 +42,7 @@ class Ground(_HasAs):
     quantity: Literal["acceleration", "velocity", "displacement"] = "acceleration"
     unit: Annotated[str, Field(min_length=1, max_length=40)] | None = None
     time: Annotated[str, Field(min_length=1, max_length=200)] | None = None
+    step: Duration | None = None
     x: Annotated[str, Field(min_length=1)] | None = None
     y: Annotated[str, Field(min_length=1)] | None = None
     z: Annotated[str, Field(min_length=1)] | None = None
@@ -97,12 +98,14 @@ class Ground(_HasAs):
             self._formulas_are_whole()
         elif self.duration is not None:
             raise KeyedError("duration", "a record has its own; leave it out (solver.duration ends a run before)")
+        elif self.step is not None and self.time is not None:
+            raise KeyedError("step", "the column 'time' says the same; keep one of them")
         elif self.unit is not None:
             _checked("unit", factor_of, self.unit, self.quantity, "unit")
         return self
 
     def _made_is_whole(self) -> None:
-        for key in ("record", "duration", "unit", "time"):
+        for key in ("record", "duration", "unit", "time", "step"):
             if getattr(self, key) is not None:
                 raise KeyedError(key, "does not go with [ground.made], which says all of the record; keep one of them")
         if self.quantity != "acceleration":
@@ -114,7 +117,7 @@ class Ground(_HasAs):
     def _formulas_are_whole(self) -> None:
         for axis, text in self.components.items():
             _checked(axis, expression.read, text, self.quantity)
-        for key in ("unit", "time"):
+        for key in ("unit", "time", "step"):
             if getattr(self, key) is not None:
                 raise KeyedError(key, f"belongs to a record; a formula has units of its own, {axis} = '0.4 g * ...'")
         if self.duration is None:
@@ -173,7 +176,7 @@ def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motio
         if ground.record is not None:
             file = _record(ground.record, stamp)
             values = file.samples(word, ground.quantity, ground.unit)
-            return from_samples(ground.quantity, file.time(ground.time), values, ground.baseline)
+            return from_samples(ground.quantity, file.time(ground.time, ground.step), values, ground.baseline)
         assert ground.duration is not None
         motion = from_formula(ground.quantity, expression.read(word, ground.quantity), ground.duration)
         if ground.baseline == "linear" and ground.quantity == "acceleration":
