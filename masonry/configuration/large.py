@@ -59,8 +59,8 @@ class LargeDisplacement:
         """Raises Stopped where blocks overlap deeply at once."""
         model, large, done = self.model, self.parts, 0
         while done < steps or steps == 0:
-            made_of = model.dt, model.damping, model.swept, model.groups, model.contacts, model.bodies, large.near
-            self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of, model.acting)
+            made_of = model.dt, model.swept, model.groups, model.contacts, model.bodies, large.near, model.acting
+            self.stepper.prepare(lambda shared: self.program(threads, shared), model.damping, *made_of)
             begin_at(model.moved_supports, chunk, first + done)
             done += self.stepper.take(first + done, steps - done, chunk.dead_load, chunk.speed, drive_force[done:])
             if done == steps:

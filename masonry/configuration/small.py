@@ -40,17 +40,8 @@ class SmallDisplacement:
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         model = self.model
-        made_of = (
-            threads,
-            model.dt,
-            model.damping,
-            model.swept,
-            model.groups,
-            model.contacts,
-            model.bodies,
-            model.acting,
-        )
-        self.stepper.prepare(lambda shared: self.program(threads, shared), *made_of)
+        made_of = threads, model.dt, model.swept, model.groups, model.contacts, model.bodies, model.acting
+        self.stepper.prepare(lambda shared: self.program(threads, shared), model.damping, *made_of)
         begin_at(model.moved_supports, chunk, first)
         self.stepper.take(first, steps, chunk.dead_load, chunk.speed, drive_force)
 

@@ -80,6 +80,13 @@ class Call:
         self.record = ArgumentRecord(self.kind, tuple(values))
         return self.part.address(self.kind), self.record.address
 
+    def replace(self, old: Any, new: Any) -> None:
+        """Another value of the same kind in place of an argument, where it is one; the addresses stay."""
+        for k, one in enumerate(self.arguments):
+            if one is old:
+                self.arguments = (*self.arguments[:k], new, *self.arguments[k + 1 :])
+                self.record.put(k, new)
+
     def __call__(self) -> None:
         """Make the call, from Python."""
         make(*self.addresses)

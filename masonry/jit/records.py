@@ -53,9 +53,16 @@ class ArgumentRecord:
     """Arguments in one piece of memory, whose arrays it keeps alive."""
 
     def __init__(self, kind: RecordKind, arguments: tuple[Any, ...]) -> None:
-        self.arguments = arguments
-        self.words = np.fromiter(_words(kind.arguments, arguments), dtype=np.int64)
+        self.kind, self.arguments = kind, list(arguments)
+        words = [[*_words(inner, part)] for inner, part in zip(kind.arguments, arguments, strict=True)]
+        self.bounds = np.cumsum([0, *map(len, words)])
+        self.words = np.array([word for of_one in words for word in of_one], dtype=np.int64)
         self.address = self.words.ctypes.data
+
+    def put(self, k: int, value: Any) -> None:
+        """Another value of the same kind in place of argument number k; the record stays where it is."""
+        self.arguments[k] = value
+        self.words[self.bounds[k] : self.bounds[k + 1]] = [*_words(self.kind.arguments[k], value)]
 
 
 def _words(kind: Any, value: Any) -> Iterator[int]:

@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
 from masonry.jit.compiled_parts import CompiledPart
 from masonry.jit.records import ArgumentRecord, kind_of, unpack
+from masonry.kinematics.motion import Guided
 from masonry.kinematics.shared import SHARED
 from masonry.scene import load
 
@@ -76,6 +78,38 @@ def test_a_part_finds_its_arguments_in_a_record(layout):
     _echo.of(Numbers(0.1, many), True, -3, np.uint32(2**31 + 7), out)()
     assert out.tolist() == [0.1, 6.0, 1.0, 1.0, -3.0, 2.0**31 + 7.0]
     assert many[0, 0] == -1.0, "arrays are shared"
+
+
+def test_another_value_of_an_argument_goes_to_the_record_that_there_is():
+    old, out = Numbers(0.1, np.zeros((2, 3))), np.zeros(6)
+    call = _echo.of(old, False, 1, np.uint32(1), out)
+    call()
+    addresses, new = call.addresses, Numbers(0.2, np.full((3, 4), 7.0))
+    call.replace(old, new)
+    call()
+    assert out[:2].tolist() == [0.2, 7.0]
+    assert (new.many[0, 0], old.many[0, 0]) == (-1.0, -1.0)
+    assert call.addresses == addresses
+
+
+def test_a_program_stays_where_the_numbers_of_its_damping_change_alone():
+    """It is put together anew for a damping of another kind; steps are those of a model that had it from the start."""
+    first, later = Guided(0.05, 0.01), Guided(0.2, 0.01)
+    steppers = {}
+    for name, dampings in {"changed": (first, later), "from the start": (later,), "another kind": (0.8, later)}.items():
+        model = assemble(load("couplet", ["drive.steps=1000"])).model
+        configuration, steppers[name] = configuration_of(model), []
+        for damping in dampings:
+            model.damping = damping
+            configuration.advance(Chunk(np.ones(1), np.ones(1), False), 1, 0, 0, np.zeros(0))
+            steppers[name].append(configuration.stepper.program)
+        model.bodies.rigid.v[...] = 1e-3
+        configuration.advance(Chunk(np.ones(4), np.zeros(4), False), 1, 0, 3, np.zeros(3))
+        steppers[name].append(model.bodies.rigid.v.copy())
+    assert steppers["changed"][0] is steppers["changed"][1]
+    assert steppers["another kind"][0] is not steppers["another kind"][1]
+    assert np.array_equal(steppers["changed"][-1], steppers["from the start"][-1])
+    assert np.array_equal(steppers["another kind"][-1], steppers["from the start"][-1])
 
 
 def test_a_record_refuses_what_it_has_no_room_for():
