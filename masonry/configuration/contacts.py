@@ -1,26 +1,39 @@
 """What the contacts of the undeformed shape show and store."""
 
+from typing import Any
+
 import numpy as np
 
+from masonry.jit.compiled_parts import Call
 from masonry.kernels import contact
 from masonry.model.model import Model
 from masonry.rows.columns import CRUSHING
 
 
-def look_at_contacts(model: Model, seen: np.ndarray) -> float:
-    """Fill seen (4, C): opening and slip (m), normal and shear stress (Pa); return the stored energy (J)."""
-    law_parameters, joint_properties, states, bounds = model.groups
-    return sum(
-        contact.observe(
-            law_parameters[g], joint_properties[g], states[g], bounds[g], bounds[g + 1], *model.contacts, seen
-        )
-        for g in range(len(law_parameters))
-    )
+class ContactsLook:
+    """Looks at all contacts of a model; the calls, one a group, are put together once."""
 
+    def __init__(self, model: Model) -> None:
+        self.model, self.seen, self.energy = model, np.zeros((4, len(model.group))), np.zeros(1)
+        self.made_of: tuple[Any, ...] = ()
 
-def stored_in_contacts(model: Model) -> float:
-    """Elastic energy (J) of the contacts of the undeformed shape."""
-    return look_at_contacts(model, np.zeros((4, len(model.group))))
+    def calls(self) -> list[Call]:
+        """Those that look, of the arrays that the model has now."""
+        model = self.model
+        made_of = model.groups, model.contacts
+        if not self.made_of or any(one is not other for one, other in zip(self.made_of, made_of, strict=True)):
+            parameters, properties, states, bounds = model.groups
+            groups = zip(parameters, properties, states, bounds[:-1], bounds[1:], strict=True)
+            rest = *model.contacts, self.seen, self.energy
+            self.made, self.made_of = [contact.look.of(*of_group, *rest) for of_group in groups], made_of
+        return self.made
+
+    def look(self) -> float:
+        """What they store (J); `seen` has their opening and slip (m), normal and shear stress (Pa) now."""
+        self.energy[0] = 0.0
+        for call in self.calls():
+            call()
+        return float(self.energy[0])
 
 
 def crushing_of(model: Model) -> dict[str, float]:

@@ -8,8 +8,8 @@ import numpy as np
 from masonry.configuration.bar_forces import stiffened
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
+    ContactsLook,
     crushing_of,
-    look_at_contacts,
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
@@ -41,7 +41,7 @@ class LargeDisplacement:
     any_size, leap = True, 1e-1
 
     def __init__(self, model: Model, large: Large) -> None:
-        self.model, self.parts, self.stepper = model, large, Stepper()
+        self.model, self.parts, self.stepper, self.contacts = model, large, Stepper(), ContactsLook(model)
         self.columns: tuple[str, ...] = (*LARGE_UNITS, *self._crushing())
         self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
         self.compressions, self.compression = (
@@ -77,7 +77,8 @@ class LargeDisplacement:
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))
         calls = calls.followed_by(shaking(model.moved_supports, bodies))
-        calls.of_rows = [self._stored(), self._overlap(np.zeros(0)), self._compressions(), self.bearing.of(large.near)]
+        of_patches = self._stored(), self._overlap(np.zeros(0)), self._compressions(), self.bearing.of(large.near)
+        calls.of_rows = [*self.contacts.calls(), *of_patches]
         return calls
 
     def _stored(self) -> Call:
@@ -98,7 +99,7 @@ class LargeDisplacement:
         retire(self.model, self.parts)
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
-        stored = look_at_contacts(self.model, seen)
+        stored, seen[...] = self.contacts.look(), self.contacts.seen
         self._look_at_parted_points(seen)
         self._stored()()
         return stored + float(self.energy[0])

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.joints.extents import joint_extents
-from masonry.configuration.contacts import stored_in_contacts
+from masonry.configuration.contacts import ContactsLook
 from masonry.configuration.joint_forces import bond_forces
 from masonry.configuration.room import make_room
 from masonry.detection.narrow import FACE
@@ -59,7 +59,8 @@ def retire(model: Model, large: Large) -> None:
     if len(going) == 0:
         return
     left = _carried(model, large, key[going], going)
-    before = stored_in_contacts(model)
+    contacts = ContactsLook(model)
+    before = contacts.look()
     bonds.alive[going] = False
     bonds.runs[:, 3] = np.where(bonds.alive[bonds.runs[:, 2]], bonds.runs[:, 3], bonds.runs[:, 2])
     large.parted[going] = model.state.slip[going]  # here the law is elastic, and bears nothing
@@ -69,7 +70,7 @@ def retire(model: Model, large: Large) -> None:
     model.contacts.force[going] = bonds.force[going] = 0.0
     sheared = sum(one.sheared for one in left.values())
     account[SHEAR_LOST] += sheared
-    account[NORMAL_GAINED] -= before - stored_in_contacts(model) - sheared
+    account[NORMAL_GAINED] -= before - contacts.look() - sheared
     search.alive[:] = np.isin(search.bonded, key[bonds.alive])
     search.built[:] = -np.inf
     while refresh(large.near) < 0.0:

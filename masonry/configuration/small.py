@@ -8,8 +8,8 @@ import numpy as np
 from masonry.configuration.bar_forces import forces_of_bars, stiffened, with_bars
 from masonry.configuration.chunk import Chunk, begin_at
 from masonry.configuration.contacts import (
+    ContactsLook,
     crushing_of,
-    look_at_contacts,
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
@@ -35,7 +35,7 @@ class SmallDisplacement:
     any_size, leap, skin = False, LEAP, inf
 
     def __init__(self, model: Model) -> None:
-        self.model, self.stepper = model, Stepper()
+        self.model, self.stepper, self.contacts = model, Stepper(), ContactsLook(model)
         self.columns: tuple[str, ...] = (*(() if model.dashpots is None else (DASHPOT,)), *crushing_of(model))
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
@@ -50,7 +50,9 @@ class SmallDisplacement:
         calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting, model.bars)
         if model.quiet is not None:
             calls = calls.around(remembering(model.quiet, model.bodies), absorbing(model.quiet, model.bodies, model.dt))
-        return calls.followed_by(shaking(model.moved_supports, model.bodies))
+        calls = calls.followed_by(shaking(model.moved_supports, model.bodies))
+        calls.of_rows = self.contacts.calls()
+        return calls
 
     def let_patches_fade(self, acts: bool) -> None:
         pass
@@ -59,7 +61,8 @@ class SmallDisplacement:
         pass
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
-        return look_at_contacts(self.model, seen)
+        stored, seen[...] = self.contacts.look(), self.contacts.seen
+        return stored
 
     def friction(self) -> float:
         return 0.0

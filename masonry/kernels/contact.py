@@ -4,8 +4,10 @@ from math import sqrt
 
 from numba import prange
 
-from masonry.jit.compiler import inlined, inner, inner_parallel, jit
+from masonry.jit.compiled_parts import CompiledPart
+from masonry.jit.compiler import inlined, inner, inner_parallel
 from masonry.jit.extending import register_jitable
+from masonry.jit.records import unpack
 from masonry.laws.compression_cap import acts_on, is_within, return_to_cap
 from masonry.laws.cone import acted, slip_of
 from masonry.laws.law_dispatch import contacts_at_once
@@ -153,7 +155,14 @@ def sweep(
         )  # fmt: skip
 
 
-@jit
+@CompiledPart
+def look(record):
+    """Fill seen (4, C) for the contacts of a group, as `observe` does, and add what they store (J) to stored (1,)."""
+    parameters, joint, state, first, last, sides, normal, area, u, force, seen, stored = unpack(record)
+    stored[0] += observe(parameters, joint, state, first, last, sides, normal, area, u, force, seen)
+
+
+@inner
 def observe(parameters, joint, state, first, last, sides, normal, area, u, force, seen):
     """Fill seen[:, c] = opening, slip, sigma, tau, and return the stored energy (J) of the group.
 
