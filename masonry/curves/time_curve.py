@@ -9,6 +9,7 @@ from masonry.curves.ledger import draw_ledger
 from masonry.curves.settling_curve import COLOURS, SETTLED_TIME, movements
 from masonry.pictures.labels import key_beside
 from masonry.pictures.style import heading, plain, tidy
+from masonry.results.frame_choice import uncaught_fall
 from masonry.rows.columns import GRAVITY, RATES, gauges_of
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ SHOWN = {
     "N": ("force of bars [kN]", 1e-3),
 }
 """By unit of a gauge or of a bar that has a name: the label of its panel, and the factor from SI to what that says."""
+FALLING = 0.5
+"""s for which a fall is drawn that no floor ends."""
 
 
 class TimeLine(NamedTuple):
@@ -79,11 +82,18 @@ def time_label(result: "ResultData") -> str:
     return SETTLED_TIME if result.scene_table.get("settle") else "time [s]"
 
 
+def shown_until(result: "ResultData") -> float:
+    """s, from the end of the settling on: of a fall that no floor ends its beginning is drawn, beside whose end nothing
+    before could be seen; else all."""
+    fallen = uncaught_fall(result)
+    return np.inf if fallen is None else float(since(result, np.array([fallen]))[0]) + FALLING
+
+
 def time_figure(result: "ResultData") -> Any:
     """A figure of 1200 pixels in width, over the time: a panel for each quantity, the energy ledger."""
     from masonry.pictures.figure import ShownFigure
 
-    lines = time_lines(result)
+    until, lines = shown_until(result), time_lines(result)
     units = [unit for unit in SHOWN if any(line.unit == unit for line in lines)]
     figure = ShownFigure(figsize=(7.5, 2.3 + 1.9 * len(units)), layout="constrained")
     *panels, ledger = np.atleast_1d(figure.subplots(len(units) + 1, 1, sharex=True))
@@ -94,16 +104,17 @@ def time_figure(result: "ResultData") -> Any:
         label, factor = SHOWN[unit]
         own = [line for line in lines if line.unit == unit]
         for line, colour in zip(own, len(own) * COLOURS, strict=False):
-            axes.plot(
-                since(result, line.steps), factor * line.values, color=colour, linewidth=1.2, label=plain(line.name)
-            )
+            time = since(result, line.steps)
+            shown = time <= until
+            axes.plot(time[shown], factor * line.values[shown], color=colour, linewidth=1.2, label=plain(line.name))
         axes.set_ylabel(label)
     mark_fall([*panels, ledger], result, lambda steps: since(result, steps))
-    rows = result.history.rows
-    draw_ledger(ledger, rows, since(result, rows["step"]))
+    time = since(result, result.history.rows["step"])
+    rows = {name: column[time <= until] for name, column in result.history.rows.items()}
+    draw_ledger(ledger, rows, time[time <= until])
     ledger.set_ylabel("energy [J]")
     ledger.set_xlabel(time_label(result))
-    ledger.set_xlim(0.0, float(since(result, rows["step"][-1:])[0]) or None)
+    ledger.set_xlim(0.0, float(time[time <= until][-1]) or None)
     for axes in (*panels, ledger):
         key_beside(axes)
     return figure

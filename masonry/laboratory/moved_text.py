@@ -12,6 +12,9 @@ def moved_lines(assembly: Assembly) -> list[str]:
     for ground in assembly.scene.ground:
         name = "ground" if ground.on is None else f"ground of {ground.on}"
         lines += [f"{name} along {axis}: {_motion_text(motion)}" for axis, motion in ground.motions.items()]
+    scene = assembly.scene
+    if scene.ground and scene.is_large and scene.gravity is not None and scene.floor is None:
+        lines.append("no [floor]: what falls off its supports goes on falling")
     if (drive := moved_drive(assembly)) is not None:
         peaks = _peaks(drive.peak_acceleration_m_s2, drive.peak_velocity_m_s)
         lines.append(f"drive: at most {peaks}")

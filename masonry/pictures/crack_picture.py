@@ -18,7 +18,7 @@ from masonry.pictures.overlays.bar_lines import bar_keys, bars_in, yielded_in
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, all_dry
-from masonry.results.frame_choice import at_stronger_side, moment, without_noise
+from masonry.results.frame_choice import at_stronger_side, moment, uncaught_fall, without_noise
 from masonry.rows.history import Frame
 
 if TYPE_CHECKING:
@@ -50,10 +50,12 @@ def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
 
 def frames_to_draw(result: "ResultData") -> list[tuple[str, Frame]]:
     """The frame nearest to the peak, of a drive that turns back to the stronger side, and the last one; one only where
-    they are the same."""
+    they are the same. What no floor catches is drawn as it falls, before it is out of sight."""
     frames = result.history.frames
     if not frames:
         return []
+    if (fallen := uncaught_fall(result)) is not None:
+        return [("as it falls", next((frame for frame in frames if frame.step >= fallen), frames[-1]))]
     peak, last = at_stronger_side(result), frames[-1]
     return [("at the end", last)] if peak is last else [("at the peak", peak), ("at the end", last)]
 

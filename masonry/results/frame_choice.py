@@ -27,6 +27,12 @@ class Chosen:
     note: str = ""
 
 
+def uncaught_fall(result: "ResultData") -> int | None:
+    """The step at which the first block of a shaken specimen had fallen, where no floor catches what falls."""
+    fallen = result.summary.collapse if result.is_shaken and "floor" not in result.scene_table else None
+    return None if fallen is None else fallen.step
+
+
 def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
     """The frame nearest to what is asked.
 

@@ -104,6 +104,27 @@ def test_what_is_wrong_with_a_ground_is_said_with_its_key(tmp_path, keys, says):
     assert len(error.value.lines) == 1
 
 
+def test_a_record_without_times_needs_a_step(tmp_path, record):
+    (tmp_path / "alone.csv").write_text("East\n0.1\n-0.2\n0.1\n")
+    alone = {"record": str(tmp_path / "alone.csv"), "x": "east", "unit": "g", "scale": 2}
+    assert scene(tmp_path, {**alone, "step": "0.02 s"}).shaken.runs_for == pytest.approx(0.04)
+    for keys, says in (
+        (alone, "ground.record: 'alone.csv' has no column of times: say the time from sample to sample, step"),
+        ({**record, "step": "0.01 s", "time": "time"}, "ground.step: the column 'time' says the same"),
+        ({**SINE, "step": "0.01 s"}, "ground.step: belongs to a record"),
+    ):
+        with pytest.raises(SceneError, match=says):
+            laboratory.check(scene(tmp_path, keys))
+
+
+def test_a_check_says_where_nothing_catches_what_falls(tmp_path):
+    large = {"displacements": "large", "contact.base_units.tan_friction_angle": 0.5}
+    words = "no [floor]: what falls off its supports goes on falling"
+    assert words in laboratory.check(scene(tmp_path, SINE, **large)).moved
+    assert words not in laboratory.check(scene(tmp_path, SINE)).moved
+    assert words not in laboratory.check(load("block-shaken")).moved
+
+
 def test_scaled_masses_are_refused_with_the_reason(tmp_path):
     with pytest.raises(SceneError, match="solver.masses: ground that moves shakes real masses"):
         scene(tmp_path, SINE, **{"solver.masses": "scaled"})

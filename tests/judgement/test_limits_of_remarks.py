@@ -18,6 +18,7 @@ from masonry.laboratory.remarks.runs import (
     left_floor,
     rocking,
     turned_beds,
+    uncaught_fall,
     unrest_at_end,
 )
 from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
@@ -253,6 +254,13 @@ def test_blocks_that_fall_on_shaken_ground_without_dashpots_are_told(shaken, das
     assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken), pairs=pairs)
     run = inspected(assembly, found={"collapse": (3, 9, {}) if fell else None, "left_floor": None})
     assert said(hard_impacts.doubts(run), "no impact lost energy") == bool(told)
+
+
+@pytest.mark.parametrize(("shaken", "floor", "fell"), [(1, None, 1), (0, None, 1), (1, {}, 1), (1, None, 0)])
+def test_a_fall_off_shaken_ground_that_no_floor_ends_is_told(shaken, floor, fell):
+    assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken, floor=floor, is_large=True))
+    run = inspected(assembly, found={"collapse": (3, 9, {}) if fell else None})
+    assert said(uncaught_fall.doubts(run), "no floor catches them") == (shaken and floor is None and bool(fell))
 
 
 def glued(**contact: str):

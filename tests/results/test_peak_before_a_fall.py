@@ -1,14 +1,17 @@
 """The peak of a specimen that falls is what it bore before; what then hits the drive is told apart."""
 
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import masonry
+from masonry.curves.time_curve import FALLING, shown_until
 from masonry.laboratory.text import summary_text
 from masonry.movies.movie import Movie
 from masonry.pictures.crack_picture import frames_to_draw
+from masonry.results.frame_choice import uncaught_fall
 from masonry.results.store import read
 from masonry.rows.peak import at_peak
 
@@ -58,6 +61,20 @@ def test_curve_and_pictures_show_the_same_peak(tmp_path):
     assert result.history.rows["stress"][row] > 0.95 * result.peak.stress
     result.save_numbers(tmp_path)
     assert read(tmp_path)["summary"]["collapse"]["blow_pa"] == result.summary["collapse"]["blow_pa"]
+
+
+def test_a_fall_that_no_floor_ends_is_drawn_as_it_begins():
+    frames = [SimpleNamespace(step=step) for step in (10, 20, 30, 40)]
+    rows = {"step": np.arange(0, 41, 10), "time": 0.1 * np.arange(5)}
+    result = SimpleNamespace(
+        history=SimpleNamespace(frames=frames, rows=rows), is_shaken=True, scene_table={},
+        summary=SimpleNamespace(collapse=SimpleNamespace(step=25), time_step_s=0.01),
+    )  # fmt: skip
+    ((name, frame),) = frames_to_draw(result)
+    assert (name, frame.step) == ("as it falls", 30)
+    assert shown_until(result) == pytest.approx(0.25 + FALLING)
+    result.scene_table["floor"] = {}
+    assert uncaught_fall(result) is None and shown_until(result) == np.inf
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])

@@ -69,6 +69,8 @@ def test_a_file_of_the_database_is_read_as_it_is():
 def test_a_stress_is_turned_into_a_force(tmp_path):
     file = written(tmp_path, "u [mm],s [MPa]\n0,0\n1,0.1\n2,0.2\n")
     assert Curve(measured=file).measurement(0.5).force.tolist() == pytest.approx([0, 0.05e6, 0.1e6])
+    file = written(tmp_path, "u [mm];s [MPa]\n0,0;0\n1,0;0,1\n2,0;0,2\n")
+    assert Curve(measured=file).measurement(0.5).force.tolist() == pytest.approx([0, 0.05e6, 0.1e6])
 
 
 @pytest.mark.parametrize(
@@ -80,7 +82,7 @@ def test_a_stress_is_turned_into_a_force(tmp_path):
         ("u [mm],F [kN]\n0,0\n1,x\n2,2\n", {}, "row 2 of the numbers: 'x' is not a finite number"),
         ("u [mm],F [kN]\n0,0\n0,1\n0,2\n", {}, "its displacement does not change"),
         ("u [mm],F [kN]\n0,0\n1,1\n2,2\n", {"measured_columns": ["u", "G"]}, "has no column 'G'"),
-        ("u [mm];F [kN]\n0;0\n1;1\n", {}, "separated by ';'"),
+        ("u [mm];F [kN]\n0;0\n1;1\n", {}, "has 2 samples"),
         ("u [mm],F [kN]\n0,0\n1,1\n2,2\n", {"x": "time"}, "is a force or stress over a displacement"),
     ],
 )
