@@ -31,6 +31,9 @@ from masonry.functions.shell_functions import (
 from masonry.functions.shell_functions import (
     verify as verify,
 )
+from masonry.functions.shell_functions import (
+    write_blocks as write_blocks,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -249,6 +252,7 @@ def sensitivity(
     quick: bool = False,
     workers: int | None = None,
     tell: "Callable[[str], None] | None" = None,
+    form: str = "png",
 ) -> "Sensitivity":
     """Run a scene with other damping, pace, coupling, kinematics, unloading, plates, cells and seeds, side by side.
 
@@ -257,6 +261,7 @@ def sensitivity(
     only     kinds of variants; all that make sense for the scene where none is named
     quick    one variant of each kind, and none of the slow kinds
     workers  processes (default: all processors); tell is called with a line for each run that ends
+    form     of the picture: "png", "pdf" or "svg"
     What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Processes are started afresh, so a
     script needs `if __name__ == "__main__":`. Raises SceneError or GeometryError before anything runs.
 
@@ -273,7 +278,7 @@ def sensitivity(
     folder = None if out is None else path("out", out)
     workers = None if workers is None else whole("workers", workers, 1, 10_000)
     kinds, quick, tell = words("only", only), flag("quick", quick), called("tell", tell, None)
-    return compare(_scene(scene), folder, kinds, quick, workers, tell)
+    return compare(_scene(scene), folder, kinds, quick, workers, tell, form=form)
 
 
 def sweep(
@@ -286,6 +291,7 @@ def sweep(
     refused: str = "stop",
     overwrite: bool = False,
     progress: "Callable[[str], None] | bool | None" = None,
+    form: str = "png",
 ) -> "SweepResult":
     """Run a scene many times over: one row a run, with its verdict, doubts, warnings and numbers.
 
@@ -298,6 +304,7 @@ def sweep(
     refused   "stop": runs that cannot be built end the sweep before it begins; "keep": they are rows with their reason
     overwrite the table of another sweep in `out` is replaced
     progress  True: a line on standard error for each run that ends; None: in a notebook only; or a function of a line
+    form      of the pictures: "png", "pdf" or "svg"
     What comes back prints as `masonry sweep` does; `.table` (pandas), `.rows`, `.result(index)`, `.plot()`. Processes
     are started afresh, so a script needs `if __name__ == "__main__":`. Raises SceneError before anything runs.
 
@@ -329,6 +336,7 @@ def sweep(
         processors() if workers is None else whole("workers", workers, 0, 10_000),
         executor,
         refused,
+        form,
     )
     with telling_lines(called("progress", progress, True, False, None)) as tell:
         return run_sweep(request, name, running, tell, text)
@@ -346,42 +354,6 @@ def load_result(folder: "str | Path") -> "Result":
     from masonry.laboratory.result import load_result
 
     return load_result(path("folder", folder))
-
-
-def write_blocks(
-    path: "str | Path",
-    blocks: "Sequence[Any]",
-    names: "Sequence[str] | None" = None,
-    groups: "str | Sequence[str]" = "units",
-    units: "Sequence[int] | None" = None,
-    section: str | None = None,
-    tolerance: str = "0.1 mm",
-    open_gaps: bool = False,
-) -> "Path":
-    """Write blocks of your own to a file, NAME.blocks.h5, which a scene names: kind = "file", path = "NAME.blocks.h5".
-
-    blocks     for each a pair of vertices (V, 3) in m and faces, lists of vertex numbers: flat polygons or triangles;
-               or a mesh with `vertices` and `faces` (trimesh) or `to_vertices_and_faces()` (COMPAS)
-    names      of each block, "" for none: sets of the scene; several blocks may share one
-    groups     of blocks: pick material, kinematics and contact group; one for all, or one for each
-    units      number of the unit that each block is part of; each is a unit of its own where left out
-    section    area such as "0.05 m^2" that turns a force into the reported stress; that of the faces in the lowest
-               plane where left out
-    tolerance  gaps and overlaps between facing faces are mended up to this length
-    open_gaps  gaps larger than the tolerance stay open; else those of up to ten times of it are refused
-    Returns the path. Raises GeometryError, with the block to blame, for bodies that are not closed or not flat, or that
-    overlap, SceneError for the rest; then nothing is written.
-
-    >>> import numpy as np
-    >>> corners = np.array([[x, y, z] for x in (0, 0.2) for y in (0, 0.1) for z in (0, 0.1)])  # (8, 3) m
-    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    >>> blocks = [(corners, faces), (corners + [0, 0, 0.1], faces)]
-    >>> masonry.write_blocks("two.blocks.h5", blocks, names=["lower", "upper"]).name
-    'two.blocks.h5'
-    """
-    from masonry.importing.block_writing import write_blocks as write
-
-    return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
 
 
 def _packed(tables: Any) -> Any:

@@ -13,11 +13,12 @@ from masonry.comparison.variants import variants
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
 from masonry.runtime.lock import sole
+from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene
 
-PICTURE, CSV = "sensitivity.png", "sensitivity.csv"
+PICTURE, CSV = "sensitivity", "sensitivity.csv"
 
 
 @dataclass(frozen=True, repr=False)
@@ -43,6 +44,7 @@ def sensitivity(
     workers: int | None = None,
     tell: Tell | None = None,
     overwrite: bool = False,
+    form: str = FORMATS[0],
 ) -> Sensitivity:
     """Run a scene in several ways, in processes side by side, and compare them.
 
@@ -50,8 +52,10 @@ def sensitivity(
     only     kinds of variants, such as ["pace", "plates"]; all that make sense where none is named
     quick    one variant of each kind, without those that cost several times the base
     workers  processes (default: all processors); tell is called with a line for each run that ends
+    form     of the picture, one of FORMATS
     Raises SceneError or GeometryError before anything runs. A variant that cannot be built, or is stopped, is a row.
     """
+    require_format(form)
     chosen = variants(assemble(scene), only, quick)
     if workers is not None and workers < 1:
         raise SceneError(f"{workers} workers: 1 or more")
@@ -60,19 +64,19 @@ def sensitivity(
         tell(f"{len(chosen)} runs, results in '{folder}'")
     with sole(folder, DOING):
         rows = study(scene, folder, chosen, workers or processors(), tell)
-        _write(scene, folder, rows)
+        _write(scene, folder, rows, form)
     return Sensitivity(folder, rows)
 
 
-def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]]) -> None:
+def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]], form: str) -> None:
     """Table and picture, all or none; the picture is left out where no run left a curve."""
     from masonry.comparison.picture import figure_of
     from masonry.pictures.style import write_picture
 
     with writing(folder):
-        (folder / PICTURE).unlink(missing_ok=True)
+        remove_pictures(folder, PICTURE)
         with WholeFiles(folder) as files:
             files.text(CSV, study_table.as_csv(rows))
             files.text(TABLE, study_table.as_json(rows))
             if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):
-                write_picture(figure_of(scene.title or scene.name, folder, rows), files.new(PICTURE))
+                write_picture(figure_of(scene.title or scene.name, folder, rows), files.new(f"{PICTURE}.{form}"))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from masonry.errors import SceneError, visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import OK, STOPPED, Parser, tell
+from masonry.runtime.shell import OK, STOPPED, Parser, add_format, tell
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ def parser() -> Parser:
     words.add_argument("--out", type=Path, metavar="DIR", help="folder (default results/SCENE-sensitivity-N)")
     words.add_argument("--overwrite", action="store_true", help="replace the table of another scene in DIR")
     words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
+    add_format(words)
     words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     return words
 
@@ -50,21 +51,22 @@ def main(arguments: list[str] | None = None) -> int:
 
     from masonry import scene
     from masonry.comparison.sensitivity import CSV, PICTURE, sensitivity
+    from masonry.comparison.study import TABLE
 
     loaded = scene.load(words.scene, words.overrides)
     if words.list:
         print(_listing(loaded, only, words.quick))
         return OK
     try:
-        study = sensitivity(
-            loaded, words.out, only, words.quick, words.workers, None if words.quiet else tell, words.overwrite
-        )
+        heard = None if words.quiet else tell
+        study = sensitivity(loaded, words.out, only, words.quick, words.workers, heard, words.overwrite, words.format)
     except KeyboardInterrupt as ended:
         tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
         return code_of(ended)
     if not words.quiet:
         print(f"{study}\n")
-        print("\n".join(visible(f"{study.folder / name}") for name in (CSV, "sensitivity.json", PICTURE)))
+        names = (CSV, TABLE, f"{PICTURE}.{words.format}")
+        print("\n".join(visible(f"{study.folder / name}") for name in names))
     if study.rows[0]["status"] != "OK":
         tell(f"masonry: the scene as it is: {study.rows[0]['trust_sentence']}")
         return STOPPED

@@ -1,7 +1,7 @@
 """Functions of `masonry` that do what a command of the shell does, by the same code; each is small."""
 
 import importlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -38,6 +38,42 @@ def import_blocks(
 
     target = None if out is None else path("out", out)
     return import_file(path("source", source), target, settings_of(words), flag("overwrite", overwrite))
+
+
+def write_blocks(
+    path: str | Path,
+    blocks: Sequence[Any],
+    names: Sequence[str] | None = None,
+    groups: str | Sequence[str] = "units",
+    units: Sequence[int] | None = None,
+    section: str | None = None,
+    tolerance: str = "0.1 mm",
+    open_gaps: bool = False,
+) -> Path:
+    """Write blocks of your own to a file, NAME.blocks.h5, which a scene names: kind = "file", path = "NAME.blocks.h5".
+
+    blocks     for each a pair of vertices (V, 3) in m and faces, lists of vertex numbers: flat polygons or triangles;
+               or a mesh with `vertices` and `faces` (trimesh) or `to_vertices_and_faces()` (COMPAS)
+    names      of each block, "" for none: sets of the scene; several blocks may share one
+    groups     of blocks: pick material, kinematics and contact group; one for all, or one for each
+    units      number of the unit that each block is part of; each is a unit of its own where left out
+    section    area such as "0.05 m^2" that turns a force into the reported stress; that of the faces in the lowest
+               plane where left out
+    tolerance  gaps and overlaps between facing faces are mended up to this length
+    open_gaps  gaps larger than the tolerance stay open; else those of up to ten times of it are refused
+    Returns the path. Raises GeometryError, with the block to blame, for bodies that are not closed or not flat, or that
+    overlap, SceneError for the rest; then nothing is written.
+
+    >>> import numpy as np
+    >>> corners = np.array([[x, y, z] for x in (0, 0.2) for y in (0, 0.1) for z in (0, 0.1)])  # (8, 3) m
+    >>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    >>> blocks = [(corners, faces), (corners + [0, 0, 0.1], faces)]
+    >>> masonry.write_blocks("two.blocks.h5", blocks, names=["lower", "upper"]).name
+    'two.blocks.h5'
+    """
+    from masonry.importing.block_writing import write_blocks as write
+
+    return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
 
 
 def export(scene: "SceneLike", to: str | Path, overwrite: bool = False) -> Path:

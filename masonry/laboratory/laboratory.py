@@ -11,6 +11,7 @@ from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
 from masonry.judgement.judgement import judge
+from masonry.laboratory.added_parts import bar_lines, slab_lines
 from masonry.laboratory.cost import candidates, forecast
 from masonry.laboratory.moved_text import moved_lines
 from masonry.laboratory.quality import cells_text, quality_lines
@@ -127,6 +128,8 @@ def check(scene: Scene) -> "Report":
         limited_by=model.limited_by,
         quality=quality_lines(assembly),
         masses=added_masses(assembly),
+        bars=bar_lines(assembly),
+        slabs=slab_lines(assembly),
         quiet=quiet_lines(assembly),
         settling=settling_text(assembly),
         meeting=meeting_text(assembly),

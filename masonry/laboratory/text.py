@@ -48,6 +48,8 @@ class Report(Record):
     limited_by: str
     quality: dict[str, str]
     masses: list[str]
+    bars: list[str]
+    slabs: list[str]
     quiet: list[str]
     settling: str
     meeting: str
@@ -76,28 +78,31 @@ def check_text(report: Report) -> str:
 def check_rows(report: Report) -> Rows:
     """The same, row by row."""
     longest = max((len(name) for name in report.contacts), default=0)
-    return [
+    rows = [
         ("blocks", [f"{report.blocks}"]),
-        *([("cells", report.cells)] if report.cells else []),
+        ("cells", report.cells),
         ("contacts", [f"{name:<{longest}}  {number}" for name, number in report.contacts.items()] or ["none"]),
-        *([("scatter", report.scatter)] if report.scatter else []),
+        ("scatter", report.scatter),
         ("contact points", [f"{report.contact_points}"]),
         ("tets", [f"{report.tets}"]),
         ("degrees of freedom", [f"{report.freedoms}"]),
         ("time step", [f"{report.time_step_s:.4g} s, limited by {report.limited_by}"]),
         *((word, [sentence]) for word, sentence in report.quality.items()),
-        *([("masses", report.masses)] if report.masses else []),
-        *([("quiet", report.quiet)] if report.quiet else []),
-        *([("settling", [report.settling])] if report.settling else []),
-        *([("may meet", [report.meeting])] if report.meeting else []),
-        *([("moved", report.moved)] if report.moved else []),
-        *([("damping ratio", report.ratios)] if report.ratios else []),
+        ("masses", report.masses),
+        ("bars", report.bars),
+        ("slabs", report.slabs),
+        ("quiet", report.quiet),
+        ("settling", list(filter(None, [report.settling]))),
+        ("may meet", list(filter(None, [report.meeting]))),
+        ("moved", report.moved),
+        ("damping ratio", report.ratios),
         ("steps", [_steps_text(report)]),
         ("expected time", [_seconds_text(report)]),
         ("compiled in", report.compiled or ["nothing beyond contacts"]),
         ("not used", report.left_out or ["nothing"]),
         ("warnings", report.warnings or ["none"]),
     ]
+    return [(name, lines) for name, lines in rows if lines]
 
 
 def _steps_text(report: Report) -> str:

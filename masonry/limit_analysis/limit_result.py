@@ -9,6 +9,7 @@ from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
 from masonry.pictures.style import write_picture
+from masonry.runtime.named_file import remove_pictures
 
 
 class LimitResult(LimitData):
@@ -18,6 +19,8 @@ class LimitResult(LimitData):
         """Write limit.json, mechanism.png and thrust.png, of a vehicle that travels envelope.csv and envelope.png too,
         all or none; returns their paths. form: of the pictures, "png", "pdf" or "svg"."""
         folder, names = Path(folder), ["limit.json", f"mechanism.{form}", f"thrust.{form}"]
+        remove_pictures(folder, "mechanism", "thrust", "envelope")
+        (folder / "envelope.csv").unlink(missing_ok=True)
         with WholeFiles(folder) as files:
             files.text("limit.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
             write_picture(mechanism_figure(self, view), files.new(names[1]))

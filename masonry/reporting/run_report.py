@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import suppress
-from math import degrees, dist
+from math import dist
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ from geometry.files.atomic import whole_file
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.judgement.catalogue import criteria
+from masonry.judgement.words import readable
 from masonry.laboratory import arguments
 from masonry.laboratory.result import Result, load_result
 from masonry.laboratory.text import summary_rows
@@ -26,9 +27,6 @@ LARGEST = 3_000_000
 """Bytes of a picture of lines and letters; a larger one becomes one of points."""
 SAID_APART = ("trust", "advice", "time")
 """Rows of the summary that the page has elsewhere, or not at all."""
-POWERS = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
-PREFIXED = ("Pa", "N", "Pa/m", "N/m", "J", "m")
-"""Units that take a letter for a power of a thousand."""
 
 
 def write_report(result: Result, path: Path, overwrite: bool = False) -> Path:
@@ -152,24 +150,3 @@ def bar_row(number: int, table: dict[str, Any]) -> tuple[str, list[str]]:
         words.insert(0, f"length {readable(f'{dist(*BarTable.model_validate(table).ends)} m')}")
     several = [f"{table['repeat']} of them"] if table.get("repeat", 1) != 1 else []
     return f"bar {table.get('name') or number}", [", ".join([*several, *words])]
-
-
-def readable(value: Any) -> str:
-    """A value of a scene with a prefix to its unit, an angle in degrees: `600000.0 Pa` is 0.6 MPa."""
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, dict):
-        return " and ".join(f"{readable(number)} at {readable(place)}" for place, number in value.items())
-    number, _, unit = str(value).partition(" ")
-    try:
-        size = float(number)
-    except ValueError:
-        return str(value)
-    if unit == "rad":
-        return f"{degrees(size):.6g} deg"
-    if unit == "m^2" and abs(size) < 0.01:
-        return f"{1e6 * size:.6g} mm^2"
-    if unit not in PREFIXED:
-        return f"{size:.6g} {unit}".strip()
-    factor, letter = next((power for power in POWERS if abs(size) >= 0.1 * power[0]), POWERS[-1 if size else 3])
-    return f"{size / factor:.6g} {letter}{unit}"

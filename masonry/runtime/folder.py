@@ -27,11 +27,15 @@ RESULT_NAMES = (
     ),
 )
 """A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
+PICTURES = (
+    *("curve", "cracks", "mechanism", "thrust", "envelope", "modes", "sweep", "sweep-map", "sensitivity"),
+    "fragility",
+)
 WRITTEN = {
     *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
-    *(f"{picture}.{form}" for picture in ("curve", "cracks", "mechanism", "thrust", "modes") for form in FORMATS),
-    *("checkpoint", "report.html"),
-    *("sweep.csv", "sweep.parquet", "sweep.png", "sweep-map.png", "sensitivity.csv", "sensitivity.png"),
+    *(f"{picture}.{form}" for picture in PICTURES for form in FORMATS),
+    *("checkpoint", "report.html", "envelope.csv"),
+    *("sweep.csv", "sweep.parquet", "sensitivity.csv", "fragility.csv", "fragility.json"),
 }
 """What commands write into a folder of results besides."""
 

@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from masonry.errors import SceneError, closest
+from masonry.errors import SceneError, closest, nearest
 
 MARK = "Drawn by masonry-dem"
 """What pictures and movies hold, so that one can be drawn again over the last one."""
@@ -20,10 +20,24 @@ def require_picture(path: Path, option: str = "") -> None:
         raise SceneError(f"{option} '{path}': a picture is a .png, .pdf or .svg file; nearest: '{near}'".strip())
 
 
+def require_format(form: str) -> None:
+    """Raise SceneError for what is none of FORMATS."""
+    if form not in FORMATS:
+        raise SceneError(f"form = {form!r:.60}; {nearest(str(form), FORMATS)}")
+
+
 def require_free(path: Path, overwrite: bool) -> None:
     """Raise SceneError where a file would be replaced that does not hold our mark, and the user did not ask for it."""
     if os.path.lexists(path) and not overwrite and not path.is_dir() and not is_marked(path):
         raise SceneError(f"'{path}' exists already; --overwrite replaces it")
+
+
+def remove_pictures(folder: Path, *stems: str) -> None:
+    """Remove FOLDER/STEM in all FORMATS, of what was there before: a picture of other numbers, or in another format.
+    What we did not draw stays. Raises OSError."""
+    for path in (folder / f"{stem}.{form}" for stem in stems for form in FORMATS):
+        if is_marked(path):
+            path.unlink()
 
 
 def is_marked(path: Path) -> bool:

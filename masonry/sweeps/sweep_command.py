@@ -9,7 +9,7 @@ from pathlib import Path
 from masonry.errors import SceneError
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import OK, Parser, tell
+from masonry.runtime.shell import OK, Parser, add_format, tell
 from masonry.sweeps.read import read
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
@@ -30,6 +30,7 @@ def parser() -> Parser:
         default="stop",
         help="runs that cannot be built: run nothing (default), or keep them as rows with their reason",
     )
+    add_format(words)
     words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     return words
 
@@ -46,7 +47,7 @@ def main(arguments: list[str] | None = None) -> int:
     if words.list:
         print(listing(plan(sweep)))
         return OK
-    running = Running(words.out, words.overwrite, words.workers, words.scheduler, words.refused)
+    running = Running(words.out, words.overwrite, words.workers, words.scheduler, words.refused, words.format)
     text = words.sweep.read_text(encoding="utf-8-sig")
     try:
         result = run_sweep(sweep, str(words.sweep), running, None if words.quiet else tell, text)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from masonry.errors import SceneError, extra, nearest, visible
+from masonry.runtime.named_file import FORMATS, require_format
 from masonry.runtime.progress import Tell
 from masonry.sweeps.planned_runs import Planned, plan
 from masonry.sweeps.read import FRAGILITY, SCENE, Sweep
@@ -108,6 +109,7 @@ class Running(NamedTuple):
     workers    processes; 0: one run after the other in this process
     executor   what does the runs in their place: see `engine.run`
     refused    one of REFUSED
+    form       of the pictures, one of FORMATS
     """
 
     out: Path | None = None
@@ -115,6 +117,7 @@ class Running(NamedTuple):
     workers: int = 1
     executor: Any = None
     refused: str = "stop"
+    form: str = FORMATS[0]
 
 
 def run_sweep(
@@ -129,6 +132,7 @@ def run_sweep(
     """
     if running.refused not in REFUSED:
         raise SceneError(f"refused = {running.refused!r:.60}; {nearest(str(running.refused), REFUSED)}")
+    require_format(running.form)
     request, planned = _request(sweep), plan(sweep)
     if running.executor is not None:
         from masonry.sweeps.cluster import require
@@ -176,20 +180,20 @@ def _run(
     from masonry.runtime.folder import writing
     from masonry.runtime.lock import sole
     from masonry.sweeps.engine import run_alone
-    from masonry.sweeps.pictures.sweep_curves import PICTURE, draw
+    from masonry.sweeps.pictures.sweep_curves import draw
     from masonry.sweeps.pictures.sweep_map import draw_map
     from masonry.sweeps.sweep_table import PARQUET, TABLE, write_table
 
-    title = Path(name).stem
+    title, form = Path(name).stem, running.form
     with sole(folder, DOING), writing(folder):
-        for stale in (PARQUET, TABLE, PICTURE) if running.overwrite and (folder / "runs").is_dir() else ():
+        for stale in (PARQUET, TABLE) if running.overwrite and (folder / "runs").is_dir() else ():
             (folder / stale).unlink(missing_ok=True)
         _write_request(folder, sweep, text)
         rows = run_alone([run.job for run in planned], folder, running.workers, tell, running.executor)
         columns = table_of(planned, rows)
-        draw(folder, title, planned, rows)
-        files = (*write_table(folder, columns), PICTURE, *draw_map(folder, title, planned, rows))
-        fragility, more = _fragility(planned, rows, folder, title, request)
+        pictures = [draw(folder, title, planned, rows, form), *draw_map(folder, title, planned, rows, form)]
+        files = (*write_table(folder, columns), *pictures)
+        fragility, more = _fragility(planned, rows, folder, title, request, form)
     return SweepResult(folder, title, planned, rows, columns, fragility, (*files, *more))
 
 
@@ -206,7 +210,7 @@ def _write_request(folder: Path, sweep: Sweep, text: str | None) -> None:
 
 
 def _fragility(
-    planned: Sequence[Planned], rows: Sequence[Row], folder: Path, title: str, request: Any
+    planned: Sequence[Planned], rows: Sequence[Row], folder: Path, title: str, request: Any, form: str
 ) -> "tuple[Fragility | None, tuple[str, ...]]":
     """The fragility of what was run, where it was asked for, and its files in the folder."""
     if request is None:
@@ -215,4 +219,4 @@ def _fragility(
     from masonry.sweeps.fragility.fragility_files import write_fragility
 
     fragility = fragility_of(request, planned, rows)
-    return fragility, write_fragility(folder, title, fragility)
+    return fragility, write_fragility(folder, title, fragility, form)

@@ -42,6 +42,26 @@ def test_a_slab_is_not_called_as_a_selector(key, name):
         masonry.load("wall-tied", {"specimen.slab": [SLAB | {key: name}], **TABLES})
 
 
+@pytest.mark.parametrize("name", ["all", "z = 0 mm", "a.z+", "roof + foot"])
+@pytest.mark.parametrize("key", ["name", "group"])
+def test_a_box_is_not_called_as_a_selector(key, name):
+    box = {"name": "foot", "origin": ["0 m"] * 3, "size": ["1 m"] * 3, key: name}
+    with pytest.raises(SceneError, match=rf"specimen\.box\.0\.{key}.* reads as a selector"):
+        masonry.load("wall-tied", {"specimen": {"kind": "boxes", "section": "1 m^2", "box": [box]}})
+
+
+def test_a_check_says_what_bars_and_slabs_there_are():
+    tied, house = masonry.check("wall-tied"), masonry.check("house-tilted")
+    (bars,), (slab,) = tied.bars, house.slabs
+    stiffness, force = 210e9 * 1.13e-4 / 2.0, 13.3e6 * 1.13e-4
+    assert bars == (
+        f"2 'tie', 2 m long, {stiffness / 1e6:.4g} MN/m, yields at {force:.4g} N, pulls; between blocks 28, 31 and "
+        "fixed ends"
+    )
+    assert slab.startswith("'first floor', 4 x 4 x 0.2 m, 4800 kg, joints of ")
+    assert tied.slabs == [] and bars in " ".join(str(tied).split())
+
+
 def test_a_scene_without_slabs_says_nothing_of_them():
     assert "slab" not in masonry.load("wall-tied").resolved()["specimen"]
     assert "bar" not in masonry.load("wall-tilted").resolved()

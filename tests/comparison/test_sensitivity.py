@@ -88,7 +88,8 @@ def test_the_shell_says_how_far_it_is_and_where_the_results_are(tmp_path, monkey
     folder = Path("results/couplet-sensitivity-1")
     assert {"sensitivity.csv", "sensitivity.json", "sensitivity.png", "scene.toml", "runs"} <= set(os.listdir(folder))
     os.unlink(folder / "sensitivity.json")  # as if it had been killed before the end
-    assert main([*words, "--quiet"]) == 0 and capsys.readouterr() == ("", "")
+    assert main([*words, "--quiet", "--format", "pdf"]) == 0 and capsys.readouterr() == ("", "")
+    assert (folder / "sensitivity.pdf").read_bytes()[:4] == b"%PDF" and not (folder / "sensitivity.png").exists()
     assert (folder / "sensitivity.json").is_file() and not Path("results/couplet-sensitivity-2").exists()
 
 

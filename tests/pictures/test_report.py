@@ -9,8 +9,9 @@ import masonry
 from masonry.assembly.assemble import joined
 from masonry.cli.main import main
 from masonry.errors import SceneError
+from masonry.judgement.words import readable
 from masonry.reporting import run_report
-from masonry.reporting.run_report import readable, report_page, write_report
+from masonry.reporting.run_report import report_page, write_report
 from masonry.runtime.named_file import is_marked
 from masonry.scene import to_toml
 from tests.results.sample import sample

@@ -79,7 +79,7 @@ def test_many_intensities_are_put_into_classes_of_as_many_runs():
 def test_separated_runs_have_no_curve_and_the_files_say_why(tmp_path):
     planned, rows, _ = made(dispersion=0.0)
     fragility = fragility_of(FragilityRequest(SCALE, measure="drift"), planned, rows)
-    write_fragility(tmp_path, "test", fragility)
+    write_fragility(tmp_path, "test", fragility, "png")
     numbers = json.loads((tmp_path / "fragility.json").read_text())
     assert numbers["fit"] is None and "0.3 to 0.5" in numbers["why_no_fit"] and "no curve" in fragility.sentence
     assert "fitted" not in columns_of(fragility)

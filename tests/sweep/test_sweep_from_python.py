@@ -45,6 +45,17 @@ def test_a_table_of_pandas_has_a_row_a_run_with_strengths_as_they_are_used(coupl
     assert "0.8614" not in repr(result) and "(8.614e+05 Pa used)" in listed(couplet)
 
 
+def test_pictures_in_another_format_take_the_place_of_the_first(couplet):
+    values = {"confinement": ["0.1 MPa", "0.2 MPa"], "solver.damping": [0.7, 0.8]}
+    masonry.sweep(couplet, values, "here", workers=0)
+    result = masonry.sweep(couplet, values, "here", workers=0, form="svg")
+    pictures = {name for name in os.listdir("here") if Path(name).suffix in (".png", ".svg")}
+    assert pictures == {"sweep.svg", "sweep-map.svg"} < set(result.files)
+    assert Path("here/sweep.svg").read_text(encoding="utf-8").startswith("<?xml")
+    with pytest.raises(SceneError, match="^form = 'jpg'; "):
+        masonry.sweep(couplet, values, "here", workers=0, form="jpg")
+
+
 def listed(scene):
     from masonry.sweeps.planned_runs import listing
 
@@ -199,7 +210,7 @@ def test_a_map_of_samples_has_points_in_units_that_people_read():
     samples = [{"confinement": f"{2e5 + 1e4 * n} Pa", "solver.damping": 0.5 + n * n % 7} for n in range(10)]
     runs = [Planned(Job("couplet"), sample, {}) for sample in samples]
     figure = map_figure("samples", runs, [{"key": "", "status": "OK", "peak_stress_pa": 1e6} for _ in runs])
-    assert figure.axes[0].get_xlabel() == "confinement [kPa]" and figure.axes[0].get_ylabel() == "solver.damping"
+    assert figure.axes[0].get_xlabel() == "confinement [MPa]" and figure.axes[0].get_ylabel() == "damping (solver)"
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from masonry.scene import load
 from masonry.sweeps.job import Job
 from masonry.sweeps.pictures import sweep_curves as sweep_picture
+from masonry.sweeps.pictures.varied_keys import key_words, value_text
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.work import OK
 from tests.ground.test_ground_keys import BLOCK, SINE
@@ -29,11 +30,11 @@ def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, mo
     drawn: list[Figure] = []
     monkeypatch.setattr(sweep_picture, "write_picture", lambda figure, path: drawn.append(figure))
     monkeypatch.setattr(sweep_picture, "WholeFiles", Quiet)
-    sweep_picture.draw(tmp_path, "two keys", runs, rows)
+    assert sweep_picture.draw(tmp_path, "two keys", runs, rows, "png") == "sweep.png"
     axes = drawn[0].axes[0]
     assert len({tuple(line.get_color()) for line in axes.lines}) == 6
     legend = axes.get_legend()
-    assert legend.get_title().get_text() == "confinement, solver.damping"
+    assert legend.get_title().get_text() == "confinement, damping (solver)"
     assert [text.get_text() for text in legend.get_texts()][:2] == ["0.1 MPa, 0.7", "0.1 MPa, 0.8"]
 
 
@@ -64,18 +65,48 @@ class Quiet:
 
 
 @pytest.mark.parametrize(
-    ("runs", "label", "different"),
+    ("runs", "words", "different"),
     [
-        (grid(["1 kPa"], [0.7, 0.8]), "solver.damping", 2),
-        (planned({"confinement": "1 kPa", "law": "a"}, {"confinement": "2 kPa", "law": "b"}), "confinement [Pa]", 2),
-        (grid(["1 kPa", "2 kPa", "3 kPa"], [0.5, 0.6, 0.7, 0.8]), "solver.damping (other keys vary too)", 4),
-        (grid(["1 kPa"], [0.7]), "", 0),
+        (grid(["1 kPa"], [0.7, 0.8]), "damping (solver)", 2),
+        (planned({"confinement": "1 kPa", "law": "a"}, {"confinement": "2 kPa", "law": "b"}), "confinement", 2),
+        (grid(["1 kPa", "2 kPa", "3 kPa"], [0.5, 0.6, 0.7, 0.8]), "damping (solver); other keys vary too", 4),
+        (planned(*({"confinement": f"{n} kPa"} for n in range(1, 13))), "confinement [kPa]", 12),
     ],
-    ids=["one key", "together", "many", "none"],
+    ids=["one key", "together", "many", "bar"],
 )
-def test_the_colour_shows_the_key_that_varies(runs, label, different):
-    name, values = sweep_picture.coloured_by(runs)
-    assert name == label and len(set(values)) == different
+def test_the_colour_shows_the_key_that_varies(runs, words, different):
+    key = sweep_picture.colour_key(runs)
+    assert key.words == words and len(set(key.values)) == different and bool(key.names) == (different < 12)
+
+
+def test_nothing_is_shown_where_nothing_varies():
+    assert sweep_picture.colour_key(grid(["1 kPa"], [0.7])) is None
+
+
+@pytest.mark.parametrize(
+    ("key", "words"),
+    [
+        ("contact.unit_unit.tensile_strength", "tensile strength (unit_unit)"),
+        ("material.units.density", "density (units)"),
+        ("specimen.pier.0.width", "width (specimen.pier.0)"),
+        ("displacements", "displacements"),
+    ],
+)
+def test_a_key_is_named_by_what_it_is_and_whose(key, words):
+    assert key_words(key) == words
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ("24130000000.0 Pa/m", "24.13 GPa/m"),
+        ("0.1 MPa", "0.1 MPa"),
+        ("0.5235987755982988 rad", "30 deg"),
+        (400_000, "400000"),
+    ],
+)
+def test_a_value_has_a_prefix_to_its_unit(value, text):
+    assert value_text(value) == text
 
 
 @pytest.mark.parametrize(

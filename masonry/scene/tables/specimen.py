@@ -18,7 +18,7 @@ from masonry.scene.tables.specimens.structures import (
     VaultSpec,
     WallSpec,
 )
-from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, Table
+from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, SetName, Table
 
 
 class Mortar(Divided):
@@ -93,10 +93,10 @@ class BendingSpec(_Wall, Divided):
 class Box(Table):
     """A cuboid, divided into a regular grid of blocks."""
 
-    name: Annotated[str, Field(min_length=1)]
+    name: SetName
     origin: tuple[Position, Position, Position]
     size: tuple[Length, Length, Length]
-    group: Annotated[str, Field(min_length=1)] = "units"
+    group: SetName = "units"
     unit: Number = 0
     divisions: tuple[Count, Count, Count] = (1, 1, 1)
 

@@ -1,4 +1,4 @@
-"""fragility.csv, fragility.json and fragility.png of a sweep."""
+"""fragility.csv, fragility.json and fragility.png (or .pdf, .svg) of a sweep."""
 
 import json
 import math
@@ -9,21 +9,23 @@ import numpy as np
 
 from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
+from masonry.runtime.named_file import remove_pictures
 from masonry.sweeps.fragility.fragility import QUANTILES, Fragility
 from masonry.sweeps.fragility.request import FragilityRequest
 from masonry.sweeps.sweep_table import csv_text
 
-TABLE, NUMBERS, PICTURE = "fragility.csv", "fragility.json", "fragility.png"
+TABLE, NUMBERS, PICTURE = "fragility.csv", "fragility.json", "fragility"
 BLUE, RED, GREY = "#1f3b5c", "#b2182b", "0.6"
 
 
-def write_fragility(folder: Path, title: str, fragility: Fragility) -> tuple[str, ...]:
+def write_fragility(folder: Path, title: str, fragility: Fragility, form: str) -> tuple[str, ...]:
     """Write all three, all or none; their names. Raises OSError."""
+    remove_pictures(folder, PICTURE)
     with WholeFiles(folder) as files:
         files.text(TABLE, csv_text(columns_of(fragility)))
         files.text(NUMBERS, json.dumps(numbers_of(fragility), indent=2, allow_nan=False) + "\n")
-        write_picture(fragility_figure(title, fragility), files.new(PICTURE))
-    return TABLE, NUMBERS, PICTURE
+        write_picture(fragility_figure(title, fragility), files.new(f"{PICTURE}.{form}"))
+    return TABLE, NUMBERS, f"{PICTURE}.{form}"
 
 
 def columns_of(fragility: Fragility) -> dict[str, list[Any]]:

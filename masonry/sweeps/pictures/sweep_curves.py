@@ -10,30 +10,34 @@ import numpy as np
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
+from masonry.pictures.labels import WIDEST, wrapped
 from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
+from masonry.runtime.named_file import remove_pictures
 from masonry.runtime.text_files import text_of
-from masonry.sweeps.job import short_text
 from masonry.sweeps.pictures.varied_keys import keys_that_vary
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
-from masonry.sweeps.sweep_table import swept
 from masonry.sweeps.work import OK
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PICTURE = "sweep.png"
+PICTURE = "sweep"
 LARGEST = 1 << 30
 """Bytes of a curve."""
 ONE_COLOUR, FEW = "#1f3b5c", 10
+WIDEST_BAR = 60
+"""Letters of a line beside a bar of colours."""
 
 
-def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> None:
-    """Write sweep.png. Raises OSError."""
+def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row], form: str) -> str:
+    """Write sweep.png, or .pdf or .svg; its name. Raises OSError."""
     figure = curves_figure(folder, title, planned, rows)
+    remove_pictures(folder, PICTURE)
     with WholeFiles(folder) as files:
-        write_picture(figure, files.new(PICTURE))
+        write_picture(figure, files.new(f"{PICTURE}.{form}"))
+    return f"{PICTURE}.{form}"
 
 
 def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "Figure":
@@ -43,28 +47,21 @@ def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Se
     figure = Figure(figsize=(10, 6), layout="constrained")
     axes = figure.subplots()
     shown = [n for n, row in enumerate(rows) if row["status"] == OK]
-    label, values = coloured_by(planned)
-    colours, bar = _colours([values[n] for n in shown]) if shown and label else ([ONE_COLOUR] * len(shown), None)
-    if bar is not None and _differing(values) <= FEW:
-        key, bar = label.partition(" [")[0], None
-        label, values = key, [short_text(run.values.get(key)) for run in planned]
-    names: set[str] = set()
+    key = colour_key(planned)
+    colours, bar = _colours([key.values[n] for n in shown]) if shown and key else ([ONE_COLOUR] * len(shown), None)
     pair = _axes_of(planned[shown[0]]) if shown else PUSHED
+    names: set[str] = set()
     for n, colour in zip(shown, colours, strict=True):
         across, up = _curve(folder / "runs" / rows[n]["key"] / "curve.csv", pair)
-        name = f"{values[n]}" if label and bar is None else ""
-        axes.plot(
-            across * pair[0].factor,
-            up * pair[1].factor,
-            color=colour,
-            linewidth=1.2,
-            label="" if name in names else name,
-        )
+        name = key.names[n] if key and key.names else ""
+        label = "" if name in names else name
+        axes.plot(across * pair[0].factor, up * pair[1].factor, color=colour, linewidth=1.2, label=label)
         names.add(name)
-    if bar is not None:
-        figure.colorbar(bar, ax=axes, label=plain(label))
-    elif label and shown:
-        axes.legend(title=plain(label), loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
+    if key and key.names and shown:
+        title = wrapped(key.words, WIDEST)
+        axes.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
+    elif key and bar is not None:
+        figure.colorbar(bar, ax=axes, label=wrapped(key.words, WIDEST_BAR))
     axes.set_xlabel(plain(pair[0].label))
     axes.set_ylabel(plain(pair[1].label))
     axes.grid(color="0.9", linewidth=0.8)
@@ -74,35 +71,34 @@ def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Se
     return figure
 
 
-def coloured_by(planned: Sequence[Planned]) -> tuple[str, list[Any]]:
-    """Name and values of the column that was varied, in SI if it has a unit; of keys that change together (a row of a
-    list, a multiple of another) the first. Where several were varied, all of them, as they were given, for up to ten
-    combinations; of more the column with the most values. No name where nothing was varied.
+class ColourKey(NamedTuple):
+    """What colours show: in words, by run its value, which has a colour, and its name in the legend; no names where a
+    bar of colours takes the place of a legend."""
+
+    words: str
+    values: list[Any]
+    names: list[str]
+
+
+def colour_key(planned: Sequence[Planned]) -> ColourKey | None:
+    """The key that was varied; of keys that change together (a row of a list, a multiple of another) the first. Where
+    several were varied, all of them, for up to ten combinations; of more the key with the most values. None where
+    nothing was varied.
     """
-    rows = swept(planned)
-    keys = list(dict.fromkeys(key for run in planned for key in run.values))
-    columns = {name: [row.get(name) for row in rows] for name in (_in_si(key, rows) for key in keys)}
-    varied = {name: values for name, values in columns.items() if _differing(values) > 1}
-    if not varied:
-        return "", []
-    first = max(varied, key=lambda name: _differing(varied[name]))
-    together = {tuple(map(str, pairs)) for pairs in zip(*varied.values(), strict=True)}
-    if len(keys_that_vary(planned)) == 1:
-        return first, varied[first]
-    if len(together) > FEW:
-        return f"{first} (other keys vary too)", varied[first]
-    keys = [key for key in keys if _differing([row.get(key) for row in rows]) > 1]
-    return ", ".join(keys), [", ".join(short_text(row.get(key)) for key in keys) for row in rows]
-
-
-def _in_si(key: str, rows: list[dict[str, Any]]) -> str:
-    """The column of a key, in SI where there is one."""
-    return next((name for row in rows for name in row if name.startswith(f"{key} [")), key)
-
-
-def _differing(values: list[Any]) -> int:
-    """How many values there are that are not alike."""
-    return len(set(map(str, values)))
+    keys = keys_that_vary(planned)
+    if not keys:
+        return None
+    first = max(keys, key=lambda one: len(one.distinct))
+    combinations = [", ".join(texts) for texts in zip(*(one.texts for one in keys), strict=True)]
+    if len(keys) > 1 and len(set(combinations)) <= FEW:
+        return ColourKey(", ".join(one.words for one in keys), combinations, combinations)
+    others = "; other keys vary too" if len(keys) > 1 else ""
+    if first.numbers is None:
+        return ColourKey(f"{first.words}{others}", first.texts, first.texts)
+    if len(first.distinct) <= FEW:
+        return ColourKey(f"{first.words}{others}", first.numbers, first.texts)
+    numbers, label = first.scaled()
+    return ColourKey(f"{label}{others}", numbers, [])
 
 
 def _colours(values: list[Any]) -> tuple[list[Any], Any]:

@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import WholeFiles
+from masonry.judgement.words import scale_of
 from masonry.pictures.style import plain, write_picture
-from masonry.runtime.named_file import is_marked
+from masonry.runtime.named_file import remove_pictures
 from masonry.sweeps.pictures.varied_keys import VariedKey, keys_that_vary
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.run_store import Row
@@ -15,29 +16,27 @@ from masonry.sweeps.work import OK
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PICTURE = "sweep-map.png"
+PICTURE = "sweep-map"
 MEASURES = (
     ("peak_stress_pa", "peak stress", "Pa"),
     ("collapse_load.borne", "load factor that was borne", ""),
     ("final_stress_pa", "stress at the end", "Pa"),
 )
 """Columns of which the first that a run has is drawn, with words and unit."""
-READABLE = {"Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa")), "m": ((1.0, "m"), (1e-3, "mm"))}
 MOST_CELLS, MOST_WORDS = 30, 150
 """Values of a key as cells; cells with their number in them."""
 GREY = "0.85"
 
 
-def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> tuple[str, ...]:
-    """Write sweep-map.png where there is one; the name of what was written. Raises OSError."""
-    if is_marked(folder / PICTURE):  # of an earlier sweep, which may have had two keys
-        (folder / PICTURE).unlink()
+def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Row], form: str) -> tuple[str, ...]:
+    """Write sweep-map.png, or .pdf or .svg, where there is one; the name of what was written. Raises OSError."""
+    remove_pictures(folder, PICTURE)  # of an earlier sweep, which may have had two keys
     figure = map_figure(title, planned, rows)
     if figure is None:
         return ()
     with WholeFiles(folder) as files:
-        write_picture(figure, files.new(PICTURE))
-    return (PICTURE,)
+        write_picture(figure, files.new(f"{PICTURE}.{form}"))
+    return (f"{PICTURE}.{form}",)
 
 
 def map_figure(title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "Figure | None":
@@ -51,7 +50,7 @@ def map_figure(title: str, planned: Sequence[Planned], rows: Sequence[Row]) -> "
     if len(axes_of_map) != 2 or measure is None:
         return None
     values = [row.get(measure[0]) if row["status"] == OK else None for row in rows]
-    factor, unit = _readable(measure[2], values)
+    factor, unit = scale_of(max((abs(value) for value in values if value is not None), default=0.0), measure[2])
     values = [None if value is None else value / factor for value in values]
     across, up = axes_of_map
     as_cells = _are_cells(across, up)
@@ -92,7 +91,7 @@ def _draw_cells(
         axes.text(column, line, word, ha="center", va="center", color="black" if light else "white", fontsize=9)
     axes.set_xticks(range(len(columns)), [plain(text) for text in columns], rotation=45 if len(columns) > 6 else 0)
     axes.set_yticks(range(len(lines)), [plain(text) for text in lines])
-    axes.set(xlabel=plain(across.key), ylabel=plain(up.key))
+    axes.set(xlabel=plain(across.words), ylabel=plain(up.words))
     figure.colorbar(image, ax=axes, label=plain(label))
 
 
@@ -103,10 +102,9 @@ def _draw_points(
     for axis, set_label, set_scale in zip(
         pair, (axes.set_xlabel, axes.set_ylabel), (axes.set_xscale, axes.set_yscale), strict=True
     ):
-        numbers = axis.numbers or []
-        factor, unit = _readable(axis.unit, numbers)
-        scaled.append([number / factor for number in numbers])
-        set_label(plain(f"{axis.key} [{unit}]" if unit else axis.key))
+        numbers, label_of_axis = axis.scaled()
+        scaled.append(numbers)
+        set_label(plain(label_of_axis))
         set_scale("log" if min(numbers) > 0.0 and max(numbers) > 20.0 * min(numbers) else "linear")
     there = [n for n, value in enumerate(values) if value is not None]
     lacking = [n for n, value in enumerate(values) if value is None]
@@ -128,9 +126,3 @@ def _limits(values: Sequence[float | None]) -> dict[str, float]:
     low, high = min(there), max(there)
     apart = 0.01 * max(abs(low), abs(high)) or 1.0
     return {"vmin": low, "vmax": high} if high - low > 1e-9 * apart else {"vmin": low - apart, "vmax": high + apart}
-
-
-def _readable(unit: str, values: Sequence[float | None]) -> tuple[float, str]:
-    """Factor and name of the unit in which people read such values."""
-    size = max((abs(value) for value in values if value is not None), default=0.0)
-    return next((scale for scale in READABLE.get(unit, ()) if size >= scale[0]), (1.0, unit))
