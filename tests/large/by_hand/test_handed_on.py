@@ -23,6 +23,7 @@ from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large import test_pressed_blocks as blocks
 from tests.large.by_hand.patch_calls import press_deforming
+from tests.large.made import gathering, make
 
 SHEARED = np.array([0.8e4, 0.6e4, 0.0])
 """Pa, less than friction bears."""
@@ -74,13 +75,13 @@ def test_two_blocks_that_turn_together_by_a_right_angle_about_the_normal_take_th
     steps, dt = 2000, 1e-3
     spin = 0.5 * np.pi / (steps * dt)
     rigid, affine, _ = straight.bodies
-    near, before = straight.large.near, held(straight)
+    near, before, calls = straight.large.near, held(straight), gathering(straight)
     for k in range(steps):
         frame = turn(2, spin * dt * (k + 1))
         rigid.frame[0] = affine.frame[0] = frame
         affine.q[0, 3:] = (frame - np.eye(3)).ravel()
         rigid.v[0, 5], affine.v[0, 3:12] = spin, (spin * turn(2, 0.5 * np.pi) @ np.diag([1, 1, 0]) @ frame).ravel()
-        blocks.gather(straight)
+        make(calls)
         press_deforming(near, dt)
     quarter = turn(2, 0.5 * np.pi) @ SHEARED
     np.testing.assert_allclose(shear(straight), np.tile(quarter, (4, 1)), atol=1e-5 * 1e4)
