@@ -21,7 +21,15 @@ from masonry.laboratory.remarks.runs import (
     uncaught_fall,
     unrest_at_end,
 )
-from masonry.laboratory.remarks.scenes import dilation, locking, mesh_inertia, sharp_edges, tension, time_step
+from masonry.laboratory.remarks.scenes import (
+    coarse_shaking,
+    dilation,
+    locking,
+    mesh_inertia,
+    sharp_edges,
+    tension,
+    time_step,
+)
 from masonry.monitors.collapse import LeftFloor
 from masonry.scene import load
 from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
@@ -237,6 +245,14 @@ def test_a_time_step_above_its_proven_bound_is_told(share, told):
     assembly = assemble(load("couplet"))
     model = replace(assembly.model, dt=share * assembly.model.bound)
     assert said(time_step.doubts(replace(assembly, model=model)), "above the proven bound") == told
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_steps_that_are_long_beside_the_swings_of_earthquakes_are_told(share, told):
+    model = SimpleNamespace(dt=sqrt(24.0 * 0.01 * share) / (50.0 * np.pi))
+    for ground in ((), ("one",)):
+        lines = coarse_shaking.doubts(SimpleNamespace(scene=SimpleNamespace(ground=ground), model=model))
+        assert said(lines, "make a swing of 25 Hz too fast by 1 %") == (told and bool(ground))
 
 
 @pytest.mark.parametrize(("blocks", "others"), [(1, ""), (3, ", and 2 more later")])
