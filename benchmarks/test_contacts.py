@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from masonry.laws.elastic import Elastic
+from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
 from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import against, require
@@ -67,6 +68,39 @@ def report(benchmark, figure, row, found, count, limits) -> None:
     benchmark.extra_info["ratio"] = found.ratio
     figure(row, 1e9 * found.ours / STEPS / count, "ns", *limits, found.spread)
     figure("  by hand", 1e9 * found.by_hand / STEPS / count, "ns")
+
+
+CAP = {"compressive_strength": 10e6, "crushing_energy": 5e3, "closing_at_peak": 0.09e-3, "cap_shear_factor": 9.0}
+CRUSHES = {
+    "cap, hardening": (CAP, 5e-5, 1.8),
+    "cap, softening": (CAP, 5e-4, 1.6),
+    "cut-off": ({"compressive_strength": 10e6, "crushing_energy": 5e3}, 2e-4, 1.1),
+}
+"""Properties of joints, how far (m) the faces are pressed together, limit of the gate [1.35, 1.25, 0.85]."""
+SQUEEZES = 2000
+"""Steps in which they are pressed so far."""
+
+
+@pytest.mark.parametrize("name", CRUSHES)
+def test_a_contact_that_crushes_costs_little_more_than_one_that_slides(figure, name):
+    properties, pressed, limit = CRUSHES[name]
+    slides = models.model_of(*specimens.pairs(), kind="tets")
+    by = sliding(slides, ReferenceStep(slides), 1.0)
+    crushes = models.model_of(
+        *specimens.pairs(), kind="tets", law=(Exponential(5.0, 15.0), models.JOINT._replace(**properties))
+    )
+    normal = crushes.joints.normal
+    models.sweeping(crushes, -pressed / SQUEEZES * normal, SQUEEZES)()
+    sides = []
+    for model, further in ((crushes, -FURTHER * normal), (slides, by)):
+        work = models.sweeping(model, further, STEPS)
+        assert models.evolving(model, work) == 1.0
+        sides.append((work, models.sweeping(model, further, STEPS, sweeps=False)))
+    found = against(*sides, ROUNDS)
+    count = len(crushes.joints.area)
+    figure(f"contact of two nodes, crushing, {name}", 1e9 * found.ours / STEPS / count, "ns", None, None, found.spread)
+    figure("  one that slides", 1e9 * found.by_hand / STEPS / count, "ns")
+    require(found.ratio, limit, f"contacts that crush, {name}, over one that slides")
 
 
 @pytest.mark.parametrize("name", ["untouched", "all softening"])

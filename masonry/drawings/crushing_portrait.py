@@ -86,7 +86,7 @@ def surfaces(parameters: Any, joint: JointProperties) -> dict[str, np.ndarray]:
 
 def surface(parameters: Any, joint: JointProperties, hardening: float) -> np.ndarray:
     """(ANGLES, 2) Pa, normal and shear stress in all directions at which a contact yields; hardening in m."""
-    history, k = initial_history(joint), np.float64(hardening)
+    history, bears = initial_history(joint), strength_left(joint, np.float64(hardening))
     most = 3.0 * max(
         float(value or 0.0) for value in (joint.compressive_strength, joint.cohesion, joint.tensile_strength)
     )
@@ -94,7 +94,7 @@ def surface(parameters: Any, joint: JointProperties, hardening: float) -> np.nda
     def stands(sigma: float, tau: float) -> bool:
         opening, squared = np.float64(sigma / joint.normal_stiffness), np.float64(tau * tau)
         trial, unchanged = elastic_trial(parameters, joint, history, opening, squared)
-        return bool(unchanged and is_within(joint, k, trial, squared))
+        return bool(unchanged and is_within(joint, bears, trial, squared))
 
     points = []
     with np.errstate(all="ignore"):

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from masonry.laws.compression_cap import is_within, return_to_cap
+from masonry.laws.compression_cap import is_within, return_to_cap, strength_left
 from masonry.laws.cone import slip_of
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
@@ -50,11 +50,12 @@ def _follow(parameters: Any, joint: JointProperties, opening: np.ndarray, slip: 
         before, tau = (sigma, abs(tau)), ks * (s - plastic)
         e = e if closing is None else e + closing
         sigma, unchanged = elastic_trial(parameters, joint, history, e, tau * tau)
-        inside = closing is None or is_within(joint, hardening, sigma, tau * tau)
+        bears = None if closing is None else strength_left(joint, hardening)
+        inside = closing is None or is_within(joint, bears, sigma, tau * tau)
         if not (unchanged and inside):
             left = abs(tau)
             if not inside:
-                squeezed = return_to_cap(joint, history, closing, hardening, e, sigma, left, before)
+                squeezed = return_to_cap(joint, history, closing, hardening, bears, e, sigma, left, before)
                 e, left, closing, hardening = squeezed[:4]
                 crushing += squeezed.work
             update = return_mapping(parameters, joint, history, e, abs(s), left)

@@ -8,7 +8,7 @@ from masonry.jit.compiled_parts import CompiledPart
 from masonry.jit.compiler import inlined, inner, inner_parallel
 from masonry.jit.extending import register_jitable
 from masonry.jit.records import unpack
-from masonry.laws.compression_cap import acts_on, is_within, return_to_cap
+from masonry.laws.compression_cap import acts_on, is_within, return_to_cap, strength_left
 from masonry.laws.cone import acted, slip_of
 from masonry.laws.law_dispatch import contacts_at_once
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
@@ -39,17 +39,29 @@ def apart(a, b, n):
 
 
 @inlined
-def crush(own, crushed, c, joint, history, opening, sigma, tau, acting):
+def crush(own, crushed, c, joint, history, bears, opening, sigma, tau, acting):
     """Opening (m) and elastic shear stress (Pa) that the law sees, once the contacts from c on are back on their cap.
 
     own  which of them there are    sigma, tau  Pa, elastic stresses    acting  those that acted until now
     """
     closing, hardening, taken = take(crushed, (c, 0), tau), take(crushed, (c, 1), tau), take(crushed, (c, 2), tau)
-    squeezed = return_to_cap(joint, history, closing, hardening, opening, sigma, tau, acting)
+    squeezed = return_to_cap(joint, history, closing, hardening, bears, opening, sigma, tau, acting)
     put_where(own, crushed, (c, 0), squeezed.closing)
     put_where(own, crushed, (c, 1), squeezed.hardening)
     put_where(own, crushed, (c, 2), taken + squeezed.work)
     return squeezed.opening, squeezed.tau
+
+
+@inlined
+def write_history(own, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip):
+    """Write the history after an update, of those contacts from c on that there are; nothing where an array is None."""
+    put_where(own, opening_max, c, update.history.opening_max)
+    put_where(own, intact_n, c, update.history.intact_n)
+    put_where(own, intact_s, c, update.history.intact_s)
+    put_where(own, secant, c, update.history.secant)
+    put_where(own, dilation, c, update.history.dilation)
+    put_where(own, permanent_opening, c, update.history.permanent_opening)
+    put_where(own, plastic_slip, c, update.history.plastic_slip)
 
 
 def _sweep(
@@ -87,7 +99,8 @@ def _sweep(
         parameters_c, joint_c = local(parameters, c - first, like), local(joint, c - first, like)
         sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, tau_squared)
         if crushed is not None:
-            inside = is_within(joint_c, take(crushed, (c, 1), like), sigma, tau_squared)
+            bears = strength_left(joint_c, take(crushed, (c, 1), like))
+            inside = is_within(joint_c, bears, sigma, tau_squared)
             unchanged = unchanged & inside
         stays = filled(1.0, opening)
         if any_lane(unless(own, unchanged)):
@@ -96,23 +109,25 @@ def _sweep(
             left_by_cap = tau
             if crushed is not None and any_lane(unless(own, inside)):
                 acting = acts_on(c, like, force, (nx, ny, nz), take(area, c, like))
-                opening, left_by_cap = crush(own, crushed, c, joint_c, history, opening, sigma, tau, acting)
-            update = return_mapping(parameters_c, joint_c, history, opening, total, left_by_cap, acts)
-            put_where(own, opening_max, c, update.history.opening_max)
-            put_where(own, intact_n, c, update.history.intact_n)
-            put_where(own, intact_s, c, update.history.intact_s)
-            put_where(own, secant, c, update.history.secant)
-            put_where(own, dilation, c, update.history.dilation)
-            put_where(own, permanent_opening, c, update.history.permanent_opening)
-            put_where(own, plastic_slip, c, update.history.plastic_slip)
-            put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
-            put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
-            put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
-            sigma, fraction = update.sigma, update.fraction
-            if crushed is not None:
-                fraction = where(tau > 0.0, fraction * left_by_cap / tau, fraction)
+                opening, left_by_cap = crush(own, crushed, c, joint_c, history, bears, opening, sigma, tau, acting)
+                sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, left_by_cap * left_by_cap)
+            fraction, left = filled(1.0, opening), filled(0.0, opening)
+            if crushed is None or any_lane(unless(own, unchanged)):
+                update = return_mapping(parameters_c, joint_c, history, opening, total, left_by_cap, acts)
+                write_history(
+                    own, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip
+                )
+                put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
+                put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
+                put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
+                sigma, fraction = update.sigma, update.fraction
+                if crushed is not None:
+                    fraction = where(tau > 0.0, fraction * left_by_cap / tau, fraction)
+                left = slip_of(update, (1.0 - fraction) * flexibility)
+            elif crushed is not None:
+                fraction = where(tau > 0.0, left_by_cap / tau, fraction)
+                left = (1.0 - fraction) * flexibility
             stays = filled(fraction, opening)
-            left = slip_of(update, (1.0 - fraction) * flexibility)
             put_where(own, slip, (c, 0), px + left * tx)
             put_where(own, slip, (c, 1), py + left * ty)
             put_where(own, slip, (c, 2), pz + left * tz)

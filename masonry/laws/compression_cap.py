@@ -17,7 +17,7 @@ from masonry.jit.extending import overload, register_jitable
 from masonry.laws.cone import strength
 from masonry.laws.snap_back import Refusal
 from masonry.laws.state import JointProperties
-from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, or_zero, where
+from masonry.simd import any_lane, eight_rows, filled, maximum, minimum, or_zero, unless, where
 from masonry.simd.arithmetic import Lanes
 
 INITIAL, MIDDLE, RESIDUAL = 1.0 / 3.0, 1.0 / 2.0, 1.0 / 10.0
@@ -26,8 +26,9 @@ SOFTENING = 1.0 - RESIDUAL - (1.0 - MIDDLE) / 3.0 + (MIDDLE - RESIDUAL) ** 2 / (
 """Area of the softening above the residual, over strength and the path from the peak to the middle."""
 TAIL = 2.0 * (1.0 - MIDDLE) / (MIDDLE - RESIDUAL)
 """Rate of the exponential end, which goes on with the slope of the parabola before it."""
-ROUNDS, NEAR, SAME, LEAST = 60, 1e-10, 1e-14, 1e-9
-"""Looks for z; how near to the cap, over the strength; how near two z are the same; the least z."""
+ROUNDS, NEAR, SAME, LEAST, STEEPEST = 60, 1e-10, 1e-14, 1e-9, 1e-3
+"""Looks for z; how near to the cap, over the strength; how near two z are the same; the least z; the share of the
+strength by which a cap has risen where its slope is no longer taken as infinite."""
 
 
 class Crush(NamedTuple):
@@ -65,15 +66,49 @@ def share_left(cap_shear_factor, crushing_energy, joint, hardening):
 @register_jitable
 def cap_left(joint, hardening):
     """A quarter of an ellipse up to the peak, a parabola down to the middle, and an exponential end."""
-    rise = minimum(hardening * (1.0 / joint.closing_at_peak), 1.0)
-    share = INITIAL + (1.0 - INITIAL) * sqrt(rise * (2.0 - rise))
-    per_path = SOFTENING * joint.compressive_strength / joint.crushing_energy
-    beyond = maximum(hardening - joint.closing_at_peak, 0.0) * per_path
-    if not any_lane(beyond > 0.0):
+    share, softens = filled(1.0, hardening), hardening > joint.closing_at_peak
+    if any_lane(unless(hardening >= 0.0, softens)):
+        rise = minimum(hardening * (1.0 / joint.closing_at_peak), 1.0)
+        share = INITIAL + (1.0 - INITIAL) * sqrt(rise * (2.0 - rise))
+    if not any_lane(softens):
         return share
+    beyond = (hardening - joint.closing_at_peak) * path_scale(joint)
     fall = minimum(beyond, 1.0)
-    tail = RESIDUAL + (MIDDLE - RESIDUAL) * exp(-TAIL * maximum(beyond - 1.0, 0.0))
-    return where(beyond > 0.0, where(beyond < 1.0, 1.0 - (1.0 - MIDDLE) * fall * fall, tail), share)
+    share = where(softens, 1.0 - (1.0 - MIDDLE) * fall * fall, share)
+    if not any_lane(beyond > 1.0):
+        return share
+    return where(beyond > 1.0, RESIDUAL + (MIDDLE - RESIDUAL) * exp(-TAIL * maximum(beyond - 1.0, 0.0)), share)
+
+
+@register_jitable
+def path_scale(joint):
+    """1/m: one over the plastic path from the peak of the cap to the middle of its softening."""
+    return SOFTENING * joint.compressive_strength / joint.crushing_energy
+
+
+@register_jitable
+def slope(cap_shear_factor, crushing_energy, joint, hardening, bears):
+    """Pa/m, of the strength over the plastic path, where `bears` (Pa) is left; a cap that yields first rises at most as
+    it does where it has risen by STEEPEST."""
+    if cap_shear_factor is not None:
+        return cap_slope(joint, hardening, bears)
+    if crushing_energy is None:
+        return filled(0.0, hardening)
+    return where(bears > 0.0, filled(-0.5 * joint.compressive_strength**2 / joint.crushing_energy, bears), 0.0)
+
+
+@register_jitable
+def cap_slope(joint, hardening, bears):
+    """The same of a cap."""
+    share, softens = bears * (1.0 / joint.compressive_strength), hardening > joint.closing_at_peak
+    rise = filled(0.0, bears)
+    if any_lane(unless(hardening >= 0.0, softens)):
+        per_peak = 1.0 / joint.closing_at_peak
+        rise = (1.0 - INITIAL) * (1.0 - INITIAL) * per_peak * (1.0 - hardening * per_peak)
+        rise = rise / maximum(share - INITIAL, STEEPEST)
+    beyond = (hardening - joint.closing_at_peak) * path_scale(joint)
+    fall = path_scale(joint) * where(beyond < 1.0, 2.0 * (1.0 - MIDDLE) * beyond, TAIL * (share - RESIDUAL))
+    return joint.compressive_strength * where(softens, -fall, rise)
 
 
 def refuse_crushing(joint: JointProperties) -> Refusal | None:
@@ -95,57 +130,110 @@ def refuse_crushing(joint: JointProperties) -> Refusal | None:
 
 
 @register_jitable
-def crushed_to(joint, history, hardening, e, trial, tau, z):
-    """What a share z of the elastic normal stress `trial` (Pa) leaves: shear stress (Pa), plastic closing and slip of
-    the cap (m) in this step, and by how much (Pa) the point lies outside the cap."""
-    flexibility, factor = 1.0 / joint.normal_stiffness, or_zero(joint.cap_shear_factor, e)
-    sigma, rest = z * trial, 1.0 - z
-    shear_over_normal = factor * (joint.shear_stiffness * flexibility)
-    left = minimum(tau * z / (z + rest * shear_over_normal), strength(joint, history, e, sigma))
-    closed, slid = -rest * trial * flexibility, rest * left / z * (factor * flexibility)
-    bears = strength_left(joint, hardening + sqrt(closed * closed + slid * slid))
-    return left, closed, slid, sqrt(sigma * sigma + factor * left * left) - bears
+def length(cap_shear_factor, closed, slid):
+    """m, of a plastic path that closes and slides; a cut-off does not slide."""
+    if cap_shear_factor is None:
+        return closed
+    return sqrt(closed * closed + slid * slid)
 
 
 @register_jitable
-def return_to_cap(joint, history, closing, hardening, opening, sigma, tau, before):
+def outside(cap_shear_factor, pressed, tau_squared, bears):
+    """By how much a compression (Pa) and a shear stress^2 (Pa2) lie outside: Pa2 of a cap, Pa of a cut-off."""
+    if cap_shear_factor is None:
+        return pressed - bears
+    return pressed * pressed + cap_shear_factor * tau_squared - bears * bears
+
+
+@register_jitable
+def nearness(cap_shear_factor, joint, bears):
+    """What counts as on the surface, Pa2 or Pa as `outside`: a share of what a cap bears or a cut-off bore."""
+    if cap_shear_factor is None:
+        return filled(NEAR * joint.compressive_strength, bears)
+    return 2.0 * NEAR * bears * bears
+
+
+@register_jitable
+def crushed_to(joint, history, e, trial, tau, z):
+    """What a share z of the elastic normal stress `trial` (Pa) leaves: shear stress (Pa), and plastic closing and slip
+    of the cap (m) in this step."""
+    flexibility, rest = 1.0 / joint.normal_stiffness, 1.0 - z
+    left, slid = flow(joint.cap_shear_factor, joint, flexibility, strength(joint, history, e, z * trial), tau, z, rest)
+    return left, -rest * trial * flexibility, slid
+
+
+@register_jitable
+def flow(cap_shear_factor, joint, flexibility, bears, tau, z, rest):
+    """Shear stress (Pa) that is left, no more than the Coulomb line `bears`, and the slip (m) of the cap."""
+    if cap_shear_factor is None:
+        return minimum(tau, bears), filled(0.0, z)
+    eased = z + rest * (cap_shear_factor * joint.shear_stiffness * flexibility)
+    inverse = 1.0 / (z * eased)
+    left = minimum(tau * z * z * inverse, bears)
+    return left, rest * left * eased * inverse * (cap_shear_factor * flexibility)
+
+
+@register_jitable
+def excess_of(joint, history, hardening, e, trial, tau, z):
+    """By how much (as `outside`) the point that `crushed_to` finds lies outside the cap."""
+    left, closed, slid = crushed_to(joint, history, e, trial, tau, z)
+    bears = strength_left(joint, hardening + length(joint.cap_shear_factor, closed, slid))
+    return outside(joint.cap_shear_factor, -z * trial, left * left, bears)
+
+
+@register_jitable
+def share_per_excess(cap_shear_factor, joint, history, hardening, e, trial, tau, left, bears):
+    """By how much the share z falls for what lies outside (as `outside`), along the tangent at z = 1."""
+    rise = slope(cap_shear_factor, joint.crushing_energy, joint, hardening, bears) * (1.0 / joint.normal_stiffness)
+    if cap_shear_factor is None:
+        return -1.0 / (trial * (1.0 + rise))
+    per_share = tau * (cap_shear_factor * joint.shear_stiffness * (1.0 / joint.normal_stiffness))
+    per_share = where(tau > left, left - strength(joint, history, e, 0.0 * trial), per_share)
+    squared, sheared = trial * trial, cap_shear_factor * left
+    return 0.5 / (squared + sheared * per_share + bears * rise * sqrt(squared + sheared * sheared))
+
+
+@register_jitable
+def return_to_cap(joint, history, closing, hardening, bears, opening, sigma, tau, before):
     """A Crush, of the opening (m) with the closing so far, and the elastic normal and shear stress (Pa).
 
-    before  (normal, shear) stress (Pa) that acted until now
+    bears   Pa, the strength left so far      before  (normal, shear) stress (Pa) that acted until now
+
+    Newton's method begins with the tangent, and goes on with secants between bounds. A tangent that leaves `excess` of
+    `last_excess` is off by their ratio: so a further step along it leaves excess^2 / last_excess, and is not looked at.
     """
     e, trial = opening - or_zero(history.dilation, opening), minimum(sigma, 0.0)
-    factor, near = or_zero(joint.cap_shear_factor, e), NEAR * filled(joint.compressive_strength, e)
-    left, bears = minimum(tau, strength(joint, history, e, trial)), strength_left(joint, hardening)
-    outside = sqrt(trial * trial + factor * left * left) - bears
-    crushes = outside > near
+    left, near = minimum(tau, strength(joint, history, e, trial)), nearness(joint.cap_shear_factor, joint, bears)
+    excess = outside(joint.cap_shear_factor, -trial, left * left, bears)
+    crushes = excess > near
     if not any_lane(crushes):
         return Crush(opening, tau, closing, hardening, filled(0.0, opening))
-    z = filled(1.0, e)
-    last, last_outside, low, high = z, outside, filled(LEAST, e), z
-    closed = slid = filled(0.0, e)
-    z = where(crushes, maximum(bears / (bears + outside), LEAST), z)
+    last, high, low = filled(1.0, e), filled(1.0, e), filled(LEAST, e)
+    per = share_per_excess(joint.cap_shear_factor, joint, history, hardening, e, trial, tau, left, bears)
+    z, searched = where(crushes, minimum(maximum(1.0 - excess * per, LEAST), 1.0), 1.0), crushes
     for _ in range(ROUNDS):
-        left, closed, slid, outside = crushed_to(joint, history, hardening, e, trial, tau, z)
-        searched = crushes & (abs(outside) > near) & (high - low > SAME)
+        last_excess = excess
+        excess = excess_of(joint, history, hardening, e, trial, tau, z)
+        searched = searched & (excess * excess > near * abs(last_excess)) & (high - low > SAME)
         if not any_lane(searched):
             break
-        high, low = where(outside > 0.0, z, high), where(outside > 0.0, low, z)
-        rise = outside - last_outside
-        further = z - outside * (z - last) / where(rise == 0.0, 1.0, rise)
-        last, last_outside = z, outside
-        further = where((further > low) & (further < high), further, 0.5 * (low + high))
-        z = where(searched, further, z)
-    closed, slid = where(crushes, closed, 0.0), where(crushes, slid, 0.0)
+        high, low = where(excess > 0.0, z, high), where(excess > 0.0, low, z)
+        rise = excess - last_excess
+        per = where(searched & (abs(rise) > 0.0), (z - last) / rise, per)
+        last, further = z, z - excess * per
+        z = where(searched, where((further > low) & (further < high), further, 0.5 * (low + high)), z)
+    z = where(crushes, minimum(maximum(z - excess * per, LEAST), 1.0), 1.0)
+    left, closed, slid = crushed_to(joint, history, e, trial, tau, z)
     was, sheared = before
     work = 0.5 * (closed * (maximum(-was, 0.0) - z * trial) + slid * (sheared + left))
-    path = sqrt(closed * closed + slid * slid)
+    path = length(joint.cap_shear_factor, closed, slid)
     return Crush(opening + closed, tau - joint.shear_stiffness * slid, closing + closed, hardening + path, work)
 
 
 @register_jitable
-def is_within(joint, hardening, sigma, tau_squared):
-    """Whether a normal stress (Pa) and a shear stress^2 (Pa2) lie within the cap."""
-    bears, pressed = strength_left(joint, hardening), minimum(sigma, 0.0)
+def is_within(joint, bears, sigma, tau_squared):
+    """Whether a normal stress (Pa) and a shear stress^2 (Pa2) lie within the cap, of which `bears` (Pa) is left."""
+    pressed = minimum(sigma, 0.0)
     return pressed * pressed + or_zero(joint.cap_shear_factor, sigma) * tau_squared <= bears * bears
 
 
@@ -160,7 +248,8 @@ def _acts_on(c, like, force, n, area):
 
     def stresses(c, like, force, n, area):
         here = rows(c)
-        x, y, z = force[here, 0] / area, force[here, 1] / area, force[here, 2] / area
+        per_area = 1.0 / area
+        x, y, z = force[here, 0] * per_area, force[here, 1] * per_area, force[here, 2] * per_area
         sigma = x * n[0] + y * n[1] + z * n[2]
         return sigma, sqrt(maximum(x * x + y * y + z * z - sigma * sigma, 0.0))
 

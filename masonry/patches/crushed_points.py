@@ -5,7 +5,7 @@ from math import inf, sqrt
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiler import inlined, inner
-from masonry.laws.compression_cap import is_within, return_to_cap
+from masonry.laws.compression_cap import is_within, return_to_cap, strength_left
 from masonry.laws.state import ContactHistory, JointProperties
 from masonry.simd import FOUR, any_lane, filled, four, minimum, put, take, unless, where
 
@@ -123,10 +123,11 @@ def crush_by(joint, crushed, s, k, e, was, tau, sheared):
     hardening = take(crushed, (s, k // FOUR, HARDENING, 0), four())
     one, nothing, kn = filled(1.0, four()), filled(0.0, four()), joint.normal_stiffness
     sigma, sigma_was = kn * e, kn * was
-    if not any_lane(unless(one > 0.0, is_within(joint, hardening, sigma, tau * tau))):
+    bears = strength_left(joint, hardening)
+    if not any_lane(unless(one > 0.0, is_within(joint, bears, sigma, tau * tau))):
         return nothing, filled(inf, four()), nothing, nothing
     history = ContactHistory(one, one, nothing, nothing, None, None, None)
-    after = return_to_cap(joint, history, closing, hardening, e, sigma, tau, (sigma_was, sheared))
+    after = return_to_cap(joint, history, closing, hardening, bears, e, sigma, tau, (sigma_was, sheared))
     crushes = after.hardening > hardening
     if not any_lane(crushes):
         return nothing, filled(inf, four()), nothing, nothing
