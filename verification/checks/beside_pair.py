@@ -14,7 +14,8 @@ from verification.references.interface.newton import EquilibriumPath
 from verification.references.interface.points import PointHistory
 
 Array = np.ndarray
-DEAD_STEPS = 4
+DEAD_WAITS = 4
+"""Waits of the run while its dead loads rise."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ def compare(
     numbers, the second twice the first, both are taken and their error of first order is extrapolated away
     """
     assembly = make()
-    settle = DEAD_STEPS if (model := under(conditions, assembly)).dead.any() else 0
+    settle = DEAD_WAITS if (model := under(conditions, assembly)).dead.any() else 0
     coarse, fine = parts if isinstance(parts, tuple) else (0, parts)
     force, harm, path = follow(model, places, fine)
     moved = model.displacement(path.displacements())
@@ -85,10 +86,13 @@ def under(conditions: Callable[[InterfaceModel], None], assembly: Assembly) -> I
 
 
 def follow(model: InterfaceModel, places: Sequence[float], parts: int = 1) -> tuple[Array, Array, EquilibriumPath]:
-    """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path."""
+    """Force of the drive (N) at each place under displacement control, the most strength lost there, and the path.
+
+    Dead loads rise in as many parts as the way to DEAD_WAITS places has: a joint may crush while they do.
+    """
     path, force, harm = EquilibriumPath(model), [], []
     if model.dead.any():
-        for load_factor in np.linspace(0.0, 1.0, DEAD_STEPS + 1)[1:]:
+        for load_factor in np.linspace(0.0, 1.0, DEAD_WAITS * parts + 1)[1:]:
             path.go(0.0, dead=float(load_factor))
     for before, place in zip([0.0, *places[:-1]], places, strict=True):
         for part in range(1, parts + 1):

@@ -14,6 +14,10 @@ returns to cap and Coulomb line by a multiplier found together with the stress; 
 
 Between two places a point that crushes under shear follows a curve whose direction changes: an implicit step has an
 error of first order there, so that several are made to each place.
+
+The curve is within 3e-6 of the peak. Nodes are apart by 2e-5 of the way, and that is the interface model's: with four
+times as many steps those of the run move by 3e-6; with 16, 32, 64 and 128 parts those of the model move by 0.8e-5,
+4e-5 and 0.2e-5, all of it one tilt of the upper block, which a joint that softens at both ends hardly holds.
 """
 
 import numpy as np
@@ -37,7 +41,7 @@ def conditions(model: InterfaceModel) -> None:
 def run() -> Findings:
     """Curve and nodes, while the toe hardens, bears most, and softens."""
     findings = Findings()
-    allowed = Allowed(elastic=(3e-11, 3e-10), softening=(5e-6, 1e-5), nodes=(5e-5, 2e-4))
+    allowed = Allowed(elastic=(3e-11, 3e-10), softening=(2.5e-6, 1e-5), nodes=(2e-5, 6e-5))
     compare(
         findings,
         "toe",
@@ -45,9 +49,9 @@ def run() -> Findings:
         conditions,
         PLACES,
         allowed,
-        move=32000,
+        move=128000,
         wait=8000,
-        parts=(16, 32),
+        parts=(32, 64),
     )
     return findings
 
