@@ -84,7 +84,7 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
         faces.add_piece(piece)
     faces.draw(axes)
     draw_road(axes, scene, specimen, joints, camera)
-    draw_bars(axes, scene.bar, blocks, camera)
+    draw_bars(axes, scene.bar, blocks, camera, seen=pieces)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, camera, size)
     words = [words for mark in listed if (words := place_of_value(mark, camera, size)) is not None]

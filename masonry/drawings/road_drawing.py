@@ -11,12 +11,11 @@ from masonry.assembly.conditions import select
 from masonry.assembly.growing_loads import bed_of
 from masonry.assembly.road.fill import open_faces
 from masonry.pictures.camera import Camera
+from masonry.pictures.overlays.axle_arrows import AXLE, draw_axle, draw_road_line, far_side
 from masonry.scene import Scene
 
-EARTH, ROAD, AXLE, BESIDE = "#d9c9a8", "0.35", "#1f5fa8", "0.6"
-"""Of earth, the road, an axle, and one that does not press on the structure."""
-ARROW = 0.09
-"""Length of an arrow over the size of the picture."""
+EARTH, BESIDE = "#d9c9a8", "0.6"
+"""Of earth, and of an axle that does not press on the structure."""
 Moves = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """By how much points (n, 3) of blocks (n,) are moved in a picture."""
 
@@ -53,7 +52,7 @@ def _draw_earth(
     """Columns above faces, as a strip on the far side."""
     from matplotlib.collections import PolyCollection
 
-    blocks, y = specimen.blocks, _side(specimen, camera)
+    blocks, y = specimen.blocks, far_side(specimen, camera)
     corners, count = (array[faces] for array in pad(blocks.points, blocks.face_start, blocks.face_points))
     if moves is not None:
         owner = np.repeat(blocks.face_block()[faces], corners.shape[1])
@@ -71,9 +70,9 @@ def _draw_earth(
 def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera) -> None:
     from matplotlib.collections import PolyCollection
 
-    vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), _side(specimen, camera)
+    vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), far_side(specimen, camera)
     assert vehicle is not None
-    level, arrow = vehicle.level, ARROW * camera.size
+    level = vehicle.level
 
     def place(x: float, z: float) -> np.ndarray:
         return camera.project(np.array([x, y, z]))
@@ -82,7 +81,7 @@ def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, c
     places = vehicle.places(middle, vehicle.directions[0])
     shares = bed.shares(vehicle, middle, vehicle.directions[0])
     ends = min(bed.low, *places) - 0.5 * vehicle.patch, max(bed.high, *places) + 0.5 * vehicle.patch
-    axes.plot(*np.array([place(x, level) for x in ends]).T, color=ROAD, lw=2.0, zorder=8.0)
+    draw_road_line(axes, ends, level, specimen, camera)
     spreads = []
     colours = [AXLE if share > 0.0 else BESIDE for share in shares]
     for load, x, colour in zip(vehicle.axles, places.tolist(), colours, strict=True):
@@ -91,18 +90,5 @@ def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, c
         spreads.append(
             np.array([place(x - half, level), place(x + half, level), place(high, below), place(low, below)])
         )
-        style = {"arrowstyle": "-|>", "color": colour, "lw": 2.0, "mutation_scale": 14, "shrinkA": 0, "shrinkB": 0}
-        tail = place(x, level + arrow)
-        axes.annotate("", place(x, level), tail, zorder=9, arrowprops=style)
-        axes.annotate(
-            f"{load * 1e-3:.4g} kN", tail, (0, 3), textcoords="offset points", ha="center", va="bottom",
-            fontsize=9, color=colour, zorder=9,
-        )  # fmt: skip
-        axes.update_datalim([tail, place(x, level + 1.6 * arrow)])
+        draw_axle(axes, load, (x, level), colour, specimen, camera)
     axes.add_collection(PolyCollection(spreads, facecolors=colours, alpha=0.22, edgecolors="none", zorder=0.6))
-
-
-def _side(specimen: Specimen, camera: Camera) -> float:
-    """m, y of the side of a specimen on which earth is drawn: the far one, as it is drawn behind the blocks."""
-    y = specimen.blocks.points[:, 1]
-    return float(y.max() if camera.toward[1] < 0.0 else y.min())

@@ -12,7 +12,7 @@ from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import factor_words, head_of
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
-from masonry.pictures.hidden_surfaces import Piece, visible_pieces
+from masonry.pictures.hidden_surfaces import Piece, behind_others, visible_pieces
 from masonry.pictures.overlays.bar_lines import draw_bars
 from masonry.pictures.style import plain
 from masonry.pictures.thrust_line import COLOUR, ROW, row_of
@@ -49,16 +49,17 @@ def mechanism_figure(result: LimitData, view: str | None = None) -> Any:
     block = np.repeat([owner[piece.face] for piece in pieces], [len(piece.corners) for piece in pieces])
     velocity = result.velocity_at(block, np.concatenate([piece.corners for piece in pieces]))
     ends = np.cumsum([len(piece.corners) for piece in pieces])[:-1]
-    for piece, speed in zip(pieces, np.split(velocity, ends), strict=True):
-        moved = replace(piece, corners=piece.corners + times * speed)
-        faces.add_piece(moved)
+    speeds = np.split(velocity, ends)
+    pieces = [replace(piece, corners=piece.corners + times * v) for piece, v in zip(pieces, speeds, strict=True)]
+    for piece in pieces:
+        faces.add_piece(piece)
         if moving[owner[piece.face]]:
-            faces.add_polygon(moved.corners, TINT)
+            faces.add_polygon(piece.corners, TINT)
     figure, axes = _figure(result, f"mechanism at {_factor(result)}: what begins to move is tinted")
     faces.draw(axes)
     moves = lambda block, points: times * result.velocity_at(block, points)  # noqa: E731
     draw_road(axes, result.scene, result.specimen, result.joints, camera, moves)
-    draw_bars(axes, result.scene.bar, blocks, camera, moves, _yielding(result))
+    draw_bars(axes, result.scene.bar, blocks, camera, moves, _yielding(result), pieces)
     return _fitted(figure, axes)
 
 
@@ -67,6 +68,7 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
 
     Along it a line: its length is in proportion to the force. Units in one row have a thrust line from joint to joint.
     Where a joint pulls at one edge and presses at another, the force passes outside: it is drawn in the middle, hollow.
+    Seen from a corner, joints that other units hide are left out.
     """
     camera, blocks = camera_of(view or view_of(result), result.specimen), result.specimen.blocks
     between, table = unit_joints(blocks, result.joints), result.thrust()
@@ -76,13 +78,16 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     outside = ~(table["eccentricity"] <= 1.0 + INSIDE)
     place[outside] = _middles(result.joints, between)[outside]
     faces = FaceDrawing(blocks, camera)
-    for piece in _pieces(result, camera):
+    pieces = _pieces(result, camera)
+    for piece in pieces:
         faces.add_piece(piece)
     figure, axes = _figure(result, f"thrust at {_factor(result)}: the largest is {largest * 1e-3:.4g} kN")
     faces.draw(axes)
     draw_road(axes, result.scene, result.specimen, result.joints, camera)
-    draw_bars(axes, result.scene.bar, blocks, camera, None, _yielding(result))
+    draw_bars(axes, result.scene.bar, blocks, camera, None, _yielding(result), pieces)
     shown = size > LEAST * largest
+    if not camera.along_an_axis:
+        shown &= ~behind_others(place, between.units, pieces, blocks, camera)
     half = 0.5 * LONGEST * camera.size / max(largest, 1e-300)
     ends = np.stack([camera.project(place + sign * half * force) for sign in (-1.0, 1.0)], axis=1)
     for k in np.flatnonzero(shown):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 VIEWS = ("front", "back", "side", "iso")
-UPRIGHT = ("arch", "bridge", "vault", "dome", "wall", "multi-leaf")
+UPRIGHT = ("arch", "bridge", "vault", "dome", "wall", "multi-leaf", "tower")
 """Shapes of specimens that are seen along y however deep they are."""
 AZIMUTH, ELEVATION = np.radians(-55.0), np.radians(25.0)
 """From where "iso" looks, as matplotlib counts these angles."""

@@ -76,6 +76,15 @@ def behind(points: np.ndarray, pieces: list[Piece], camera: Camera, width: float
     return is_behind
 
 
+def behind_others(
+    points: np.ndarray, units: np.ndarray, pieces: list[Piece], blocks: Blocks, camera: Camera
+) -> np.ndarray:
+    """(n,) whether points (n, 3) in joints of units (n, 2) lie behind a piece of another unit than these two."""
+    unit = blocks.unit[blocks.face_block()[[piece.face for piece in pieces]]]
+    others = (units[:, :, None] != unit).all(axis=1)
+    return np.asarray((behind(points, pieces, camera) & others).any(axis=1))
+
+
 def _joined(pieces: list[Piece]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     start = np.concatenate([[0], np.cumsum([len(piece.corners) for piece in pieces])])
     return np.concatenate([piece.corners for piece in pieces]), start, np.arange(start[-1])

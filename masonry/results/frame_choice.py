@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from masonry.errors import SceneError, did_you_mean
+from masonry.rows.columns import FACTOR
 from masonry.rows.history import Frame
 from masonry.rows.peak import lowest_row, peak_row
 
@@ -73,8 +74,18 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
 
 
 def moment(result: "ResultData", frame: Frame) -> str:
-    """When a frame was taken, in words: the time in a run in real time, else the step."""
-    return f"after {frame.time - result.time_origin:.4g} s" if result.in_real_time else f"step {frame.step}"
+    """When a frame was taken, in words: the time in a run in real time, the factor of a load that grows, else the
+    step."""
+    if result.in_real_time:
+        return f"after {frame.time - result.time_origin:.4g} s"
+    factor = load_factor_at(result, frame)
+    return f"step {frame.step}" if factor is None else f"load factor {factor:.4g}"
+
+
+def load_factor_at(result: "ResultData", frame: Frame) -> float | None:
+    """The factor of a load that grows, in a frame; None where none grows."""
+    rows = result.history.rows
+    return float(np.interp(frame.step, rows["step"], rows[FACTOR])) if len(rows.get(FACTOR, ())) else None
 
 
 def at_peak(result: "ResultData") -> Frame:

@@ -46,6 +46,9 @@ def test_a_run_at_the_worst_place_encloses_the_factor():
     collapse = run.summary["collapse_load"]
     assert collapse["borne"] <= bound.factor * 1.001 and bound.factor <= collapse["falls"]
     assert run.verdict == "sound" and collapse["undecided"] == 0
+    words = [text.get_text() for axes in run.picture().axes for text in (axes.title, *axes.texts)]
+    last = run.history.rows["load_factor"][-1]
+    assert any(f"load factor {last:.4g}" in text for text in words) and f"{100 * last:.4g} kN" in words
 
 
 def test_a_run_with_a_vehicle_that_was_ended_goes_on_as_if_it_had_not(tmp_path, monkeypatch):

@@ -35,6 +35,7 @@ def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, mo
     assert len({tuple(line.get_color()) for line in axes.lines}) == 6
     legend = axes.get_legend()
     assert legend.get_title().get_text() == "confinement, damping (solver)"
+    assert axes.get_title() == "two keys: 6 runs"
     assert [text.get_text() for text in legend.get_texts()][:2] == ["0.1 MPa, 0.7", "0.1 MPa, 0.8"]
 
 

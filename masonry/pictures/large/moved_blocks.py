@@ -14,7 +14,7 @@ from geometry.polyhedra.measures import face_areas_normals_centroids
 from geometry.polyhedra.polygons import pad
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
-from masonry.pictures.hidden_surfaces import COVERED, Piece, behind
+from masonry.pictures.hidden_surfaces import COVERED, Piece, behind_others
 from masonry.pictures.large.depth_order import farthest_first
 from masonry.pictures.large.edges import Continued, continued
 from masonry.pictures.large.nearness import reach
@@ -95,10 +95,8 @@ class MovedDrawing(FacesDrawing):
             return np.zeros((0, 3))
         place = self.thrust.displaced(self.result, frame, times)
         if pieces and len(place):
-            blocks = self.result.specimen.blocks
-            unit = blocks.unit[blocks.face_block()[[piece.face for piece in pieces]]]
-            others = (self.thrust.joints.units[self.thrust.order][:, :, None] != unit).all(axis=1)
-            place[(behind(place, pieces, self.camera) & others).any(axis=1)] = np.nan
+            units = self.thrust.joints.units[self.thrust.order]
+            place[behind_others(place, units, pieces, self.result.specimen.blocks, self.camera)] = np.nan
         return place
 
     def _after(self, blocks: Blocks, seen: np.ndarray) -> np.ndarray:

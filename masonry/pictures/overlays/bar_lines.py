@@ -9,6 +9,7 @@ from geometry.blocks import Blocks
 from geometry.polyhedra.line_cuts import TOUCH, pieces, planes_of
 from geometry.polyhedra.measures import extent
 from masonry.pictures.camera import Camera
+from masonry.pictures.hidden_surfaces import Piece, behind
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 from masonry.scene.tables.specimens.bar import BarTable
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 ELASTIC, YIELDED = "#08519c", "#d95f02"
+PARTS = 40
+"""Of a bar, each of which is hidden or seen."""
 Moves = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """By how much (n, 3) m points (n, 3) of blocks (n,) are moved in a picture."""
 
@@ -28,8 +31,10 @@ def draw_bars(
     camera: Camera,
     moves: Moves | None = None,
     yielded: np.ndarray | None = None,
+    seen: list[Piece] | None = None,
 ) -> None:
-    """The bars of a scene, where it has any; yielded (K,) which of them have."""
+    """The bars of a scene, where it has any; yielded (K,) which of them have. Seen from a corner, with the pieces that
+    are seen, they are dashed where these hide them."""
     if not bars:
         return
     from matplotlib.collections import LineCollection
@@ -42,15 +47,31 @@ def draw_bars(
         planes, width = planes_of(blocks), TOUCH * extent(blocks)
         block = [int(pieces(*planes, place, width).body[0]) for place in places[which].tolist()]
         places[which] = places[which] + moves(np.array(block), places[which])
-    flat = camera.project(places)
+    flat, lines = camera.project(places), places.reshape(-1, 2, 3)
     colours = np.where(np.zeros(len(ends), dtype=bool) if yielded is None else yielded, YIELDED, ELASTIC)
-    axes.add_collection(
-        LineCollection(list(flat.reshape(-1, 2, 2)), colors=colours.tolist(), linewidths=1.6, zorder=3.8)
-    )
+    hidden = np.zeros((len(lines), PARTS), dtype=bool)
+    if seen and not camera.along_an_axis:
+        middle = (np.arange(PARTS)[:, None] + 0.5) / PARTS
+        inner = lines[:, :1] + middle * (lines[:, 1:] - lines[:, :1])
+        hidden = behind(inner.reshape(-1, 3), seen, camera).any(axis=1).reshape(-1, PARTS)
+    for style, is_drawn in (("solid", ~hidden), ((0, (3.0, 2.0)), hidden)):
+        runs = [(bar, *ends) for bar, row in enumerate(is_drawn) for ends in stretches(row)]
+        segments = [camera.project(line[:1] + np.array([[a], [b]]) / PARTS * (line[1:] - line[:1]))
+                    for line, a, b in ((lines[bar], a, b) for bar, a, b in runs)]  # fmt: skip
+        owners = [colours[bar] for bar, *_ in runs]
+        axes.add_collection(LineCollection(segments, colors=owners, linewidths=1.6, linestyles=style, zorder=3.8))
     axes.scatter(*flat.T, s=16.0, marker="s", c=np.repeat(colours, 2).tolist(), linewidths=0.0, zorder=3.9)
 
 
-def draw_bars_of(axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float) -> None:
+def stretches(row: np.ndarray) -> list[tuple[int, int]]:
+    """Begin and end of each run of true values (n,)."""
+    change = np.flatnonzero(np.diff(np.concatenate([[False], row, [False]]).astype(np.int8)))
+    return list(zip(change[::2].tolist(), change[1::2].tolist(), strict=True))
+
+
+def draw_bars_of(
+    axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float, seen: list[Piece] | None = None
+) -> None:
     """Those of a run where they are in a frame, displacements `times` larger."""
     if not (bars := bars_in(result)):
         return
@@ -60,7 +81,7 @@ def draw_bars_of(axes: Any, result: "ResultData", frame: Frame, camera: Camera, 
     def moves(block: np.ndarray, point: np.ndarray) -> np.ndarray:
         return times * field.at(block, point, np.full(len(block), -1))
 
-    draw_bars(axes, bars, blocks, camera, moves, yielded_in(result))
+    draw_bars(axes, bars, blocks, camera, moves, yielded_in(result), seen)
 
 
 def bars_in(result: "ResultData") -> list[BarTable]:

@@ -58,8 +58,8 @@ def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Se
         axes.plot(across * pair[0].factor, up * pair[1].factor, color=colour, linewidth=1.2, label=label)
         names.add(name)
     if key and key.names and shown:
-        title = wrapped(key.words, WIDEST)
-        axes.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
+        words = wrapped(key.words, WIDEST)
+        axes.legend(title=words, loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=9)
     elif key and bar is not None:
         figure.colorbar(bar, ax=axes, label=wrapped(key.words, WIDEST_BAR))
     axes.set_xlabel(plain(pair[0].label))
