@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.ground.ground_motion import Motion
 from masonry.ground.spectrum import ResponseSpectrum
-from masonry.pictures.style import plain
+from masonry.pictures.style import number_logarithms, plain
 
 G = 9.80665
 BLUE, RED = "#1f3b5c", "#b2182b"
@@ -63,5 +63,7 @@ def _draw_spectrum(axes: Any, spectrum: ResponseSpectrum, target: np.ndarray | N
     if target is not None:
         axes.loglog(spectrum.periods, target / G, "--", color=RED, linewidth=1.2, label="asked for")
         axes.legend(frameon=False)
+    for axis in (axes.xaxis, axes.yaxis):
+        number_logarithms(axis)
     axes.set_xlabel("period [s]")
     axes.set_ylabel(f"pseudo-acceleration [g], damping {100.0 * spectrum.damping:g} %")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from masonry.curves.response_spectra import GaugeSpectrum
 from masonry.curves.settling_curve import COLOURS
 from masonry.pictures.labels import key_beside
-from masonry.pictures.style import plain, tidy
+from masonry.pictures.style import number_logarithms, plain, tidy
 from masonry.rows.columns import GRAVITY
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ def spectra_figure(result: "ResultData", spectra: list[GaugeSpectrum]) -> Any:
     if shortest > periods[0]:
         axes.axvspan(periods[0], shortest, color="0.9", zorder=0, label="faster than rows show")
     axes.set_xscale("log")
+    number_logarithms(axes.xaxis)
     axes.set_xlim(periods[0], periods[-1])
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("period [s]")

@@ -76,6 +76,15 @@ def tidy(axes: Any) -> None:
     axes.spines[["top", "right"]].set_visible(False)
 
 
+def number_logarithms(axis: Any) -> None:
+    """Plain numbers at 1, 2, 3 and 5 of each decade of a logarithmic axis, in place of powers of ten."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 3.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def _words(value: Any) -> str:
     """A word of the summary, or the different ones of a table of them: `elastic + exponential`."""
     return " + ".join(sorted(set(map(str, value.values())))) if isinstance(value, dict) else str(value or "")

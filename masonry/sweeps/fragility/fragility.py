@@ -76,8 +76,9 @@ class Fragility:
         if self.fit is None:
             return f"fragility: {runs}{left}; no curve: {self.why_no_fit}"
         low, high = self.fit.median_band(self.request.confidence)
+        half = f"{self.request.intensity} {self.fit.median:.4g} {self.unit}".strip()
         return (
-            f"fragility: {runs}{left}; half of all fall at {self.request.intensity} {self.fit.median:.4g} {self.unit}"
+            f"fragility: {runs}{left}; half of all fall at {half}"
             f" ({low:.4g} to {high:.4g} at {self.request.confidence:.0%}), dispersion {self.fit.dispersion:.3g}"
         )
 

@@ -108,7 +108,7 @@ def _measure_label(request: FragilityRequest) -> str:
 
 
 def _label(fragility: Fragility) -> str:
-    return plain(f"{fragility.request.intensity} [{fragility.unit or '1'}]")
+    return plain(f"{fragility.request.intensity} [{fragility.unit}]" if fragility.unit else fragility.request.intensity)
 
 
 def _draw_shares(axes: Any, fragility: Fragility) -> None:
