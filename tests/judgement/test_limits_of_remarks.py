@@ -26,6 +26,7 @@ from masonry.laboratory.remarks.scenes import (
     dilation,
     locking,
     mesh_inertia,
+    odd_records,
     sharp_edges,
     tension,
     time_step,
@@ -253,6 +254,16 @@ def test_steps_that_are_long_beside_the_swings_of_earthquakes_are_told(share, to
     for ground in ((), ("one",)):
         lines = coarse_shaking.doubts(SimpleNamespace(scene=SimpleNamespace(ground=ground), model=model))
         assert said(lines, "make a swing of 25 Hz too fast by 1 %") == (told and bool(ground))
+
+
+@pytest.mark.parametrize(("peak", "told"), [(0.99e-3, 1), (1.01e-3, 0), (4.95, 0), (5.05, 1)])
+def test_records_that_shake_as_no_earthquake_does_are_told_unless_they_are_scaled_to_a_peak(peak, told):
+    ground = SimpleNamespace(record="own.csv", peak=None, scale=-2.0, PLACE="ground")
+    ground.motions = {"x": SimpleNamespace(peak_acceleration=2.0 * peak * 9.80665)}
+    assembly = SimpleNamespace(scene=SimpleNamespace(ground=(ground,)))
+    assert said(odd_records.doubts(assembly), "which is none of an earthquake") == bool(told)
+    ground.peak = 4.0
+    assert not odd_records.doubts(assembly)
 
 
 @pytest.mark.parametrize(("blocks", "others"), [(1, ""), (3, ", and 2 more later")])
