@@ -73,6 +73,9 @@ class Configuration(Protocol):
         """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
         they are."""
 
+    def crushed(self) -> np.ndarray | None:
+        """(C,) m, plastic closing of the joints now, by bonds and patches; None where crushing is not modelled."""
+
     def patch_compressions(self) -> np.ndarray:
         """(R,) Pa, the largest compression of a point of patches now, by which contact table serves them."""
 

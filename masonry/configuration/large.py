@@ -15,6 +15,7 @@ from masonry.configuration.contacts import (
     sums_of_blocks,
     taken_by_dashpots,
 )
+from masonry.configuration.crushed_joints import CrushedJoints
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
@@ -179,6 +180,13 @@ class LargeDisplacement:
         self._overlap(width)()
         a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
         return float(self.deepest_overlap[0]), (int(a), int(b))
+
+    def crushed(self) -> np.ndarray | None:
+        return None if self._crushed_joints is None else self._crushed_joints.closing()
+
+    @cached_property
+    def _crushed_joints(self) -> CrushedJoints | None:
+        return None if self.parts.near.crushed is None else CrushedJoints(self.model, self.parts)
 
     def patch_compressions(self) -> np.ndarray:
         self.compression[:] = 0.0

@@ -53,7 +53,7 @@ class Frames:
             damage_tension=1.0 - model.state.intact_n,
             damage_shear=1.0 - model.state.intact_s,
             stress=stress,
-            crushing=None if model.state.crushed is None else model.state.crushed[:, 0].copy(),
+            crushing=self.configuration.crushed(),
         )
 
     def corners(self) -> np.ndarray:

@@ -28,6 +28,8 @@ LEAST_SCALE = 1e-5
 THIN, THICK = 0.8, 3.8
 """Widths of a line in points: where the faces have hardly moved apart, and where they did by the scale of the
 picture."""
+WIDE_ENOUGH = 2.4
+"""Points: at least so wide is what crushed, which closes by far less than other joints open."""
 
 
 def scale_of(openings: np.ndarray) -> float:
@@ -47,6 +49,17 @@ def widths(openings: np.ndarray, scale: float) -> np.ndarray:
     return np.asarray(THIN + (THICK - THIN) * fraction)
 
 
+def crack_widths(cracks: Any, scale: float) -> np.ndarray:
+    """(n,) points, widths of the lines of cracks; what crushed is seen whatever opened beside it."""
+    wide = widths(cracks.opening, scale)
+    return np.where(cracks.crushed, np.maximum(wide, WIDE_ENOUGH), wide)
+
+
+def drawing_order(cracks: Any) -> np.ndarray:
+    """(n,) numbers of cracks as they are drawn, one above the other: by damage, and last what crushed."""
+    return np.lexsort((cracks.damage, cracks.crushed))
+
+
 def draw_cracks(
     axes: Any, result: "ResultData", lines: CrackLines, frame: Frame, camera: Camera, times: float, scale: float
 ) -> None:
@@ -55,13 +68,13 @@ def draw_cracks(
 
     field = Deformation(BlockCorners(result.specimen.blocks), frame)
     pieces = camera.project(lines.displaced(result.joints, field, times))
-    order = np.argsort(lines.damage, kind="stable")
+    order = drawing_order(lines)
     colours = crack_colours(lines)
     axes.add_collection(
         LineCollection(
             list(pieces[order]),
             colors=colours[order],
-            linewidths=widths(lines.opening, scale)[order],
+            linewidths=crack_widths(lines, scale)[order],
             capstyle="round",
             zorder=3.0,
         )

@@ -14,7 +14,7 @@ from geometry.joints.tributary_areas import tiles
 from geometry.polyhedra.indexing import following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.pictures.camera import iso_view
-from masonry.pictures.crack_style import crack_colours, widths
+from masonry.pictures.crack_style import crack_colours, crack_widths, drawing_order
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
@@ -145,9 +145,9 @@ def crack_edges(
     moved   (n, 3) m, the displaced corners of the tiles of all cracks; starts  where those of each crack begin
     after   (n,) the piece that the edge from each corner is drawn after, -1 for none
     """
-    colours, wide = crack_colours(cracks), widths(cracks.opening, scale)
+    colours, wide = crack_colours(cracks), crack_widths(cracks, scale)
     lines: dict[int, list[tuple[np.ndarray, Any, float]]] = {}
-    for k in np.argsort(cracks.damage, kind="stable").tolist():
+    for k in drawing_order(cracks).tolist():
         part, piece = moved[starts[k] : starts[k + 1]], after[starts[k] : starts[k + 1]].tolist()
         for side in range(len(part)):
             if piece[side] >= 0:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration.configuration import configuration_of
 from masonry.configuration.model_state import restore, state
 from masonry.laws.compression_cap import strength_left
 from masonry.laws.state import JointProperties
@@ -211,6 +212,25 @@ def test_a_cap_hardens_and_softens_and_holds_back_shear_with_pressure():
     known = stored_energy(near) + joint.crushing + near.account[FRICTION]
     assert known == pytest.approx(work, rel=1e-3)
     assert joint.crushing > 0.5 * work
+
+
+def test_a_frame_shows_what_the_patches_crushed_where_the_joint_was():
+    """What a block pressed askew closes by, along a line from its toe, before and after its faces know of it."""
+    joint = Joint(20, ASKEW, FAR)
+    joint.model.large.bonds.alive[:] = False
+    joint.place(ANGLES[-1], 0.0)
+    down, _ = rocked(joint, ANGLES[-1:])
+    contacts, x = joint.model.joints, joint.model.joints.point[:, 0]
+    by_hand = np.maximum(down + np.sin(ANGLES[-1]) * x - STRENGTH / KN, 0.0)
+    untold = configuration_of(joint.model).crushed()
+    joint.place(ANGLES[-1], -1.0)
+    joint.look()
+    told = configuration_of(joint.model).crushed()
+    ring = 0.1 * LENGTH * np.sin(ANGLES[-1])
+    for closing in (untold, told):
+        assert closing.shape == contacts.area.shape and closing.max() > 0.5 * by_hand.max()
+        assert closing == pytest.approx(by_hand, abs=2.0 * ring)
+        assert not closing[x < 0.0].any()
 
 
 def slide(joint: Joint, start: float, end: float) -> None:

@@ -1,0 +1,79 @@
+"""How far joints are crushed: their bonds, and in place of those that are gone the faces that meet as patches."""
+
+import numpy as np
+
+from geometry.blocks import Joints
+from masonry.detection.narrow import FACE
+from masonry.model.large.meeting import Large
+from masonry.model.model import Model
+from masonry.patches.arrays import PLACE, Near
+from masonry.patches.crushed_points import CLOSING, KEPT
+from masonry.simd import FOUR
+
+FACING = 0.999
+"""A face whose normal makes a smaller cosine with that of a joint is not the joint's own."""
+ON_FACE = 1e-6
+"""How far a place may be from a rectangle of cells, in cells."""
+
+
+class CrushedJoints:
+    """Looks at the faces of a model of large displacement where its joints were, in the undeformed shape."""
+
+    def __init__(self, model: Model, large: Large) -> None:
+        self.model, self.large = model, large
+        self.cells = cells_of_joints(model.joints, large.near)
+        block = np.sort(np.column_stack([model.joints.block_a, model.joints.block_b]), axis=1)
+        pair, self.pair_of = np.unique(block, axis=0, return_inverse=True)
+        self.number = {(int(a), int(b)): k for k, (a, b) in enumerate(pair)}
+
+    def closing(self) -> np.ndarray:
+        """(C,) m, plastic closing: of both faces at a place, or of the bond while it is there."""
+        model, faces = self.model, self.large.near.crushed
+        bonds = np.zeros(len(model.group)) if model.state.crushed is None else model.state.crushed[:, 0].copy()
+        patches = np.where(self.cells >= 0, faces.closing[self.cells], 0.0).sum(axis=0)
+        self._add_growth(patches, np.flatnonzero(~model.alive))
+        return np.where(model.alive, bonds, patches)
+
+    def _add_growth(self, closing: np.ndarray, gone: np.ndarray) -> None:
+        """Add to the closing (C,) of joints that are gone what the points there have not told their faces yet."""
+        near = self.large.near
+        crushed = near.points.crushed
+        assert crushed is not None
+        pairs, points, pair_of = near.pairs, near.points, np.reshape(self.pair_of, -1)[gone]
+        for p in np.flatnonzero((pairs.slot[: pairs.number[0]] >= 0) & (pairs.witness[: pairs.number[0], 0] == FACE)):
+            s, blocks = pairs.slot[p], np.sort(near.pieces.block[pairs.body[p]])
+            k = np.arange(points.number[s])
+            grown = crushed[s, k // FOUR, CLOSING, k % FOUR] - crushed[s, k // FOUR, KEPT, k % FOUR]
+            beside = gone[pair_of == self.number.get((int(blocks[0]), int(blocks[1])), -1)]
+            if not grown.any() or len(beside) == 0:
+                continue
+            body = pairs.body[p, pairs.points_of[p]]
+            place = near.motion.centre[body] + points.quads[s, k // FOUR, PLACE : PLACE + 3, k % FOUR]
+            apart = self.model.joints.point[beside][:, None] - place
+            closing[beside] += grown[np.argmin(np.einsum("ckj,ckj->ck", apart, apart), axis=1)]
+
+
+def cells_of_joints(joints: Joints, near: Near) -> np.ndarray:
+    """(2, C) the cell of the face on each side of a joint in which a contact point lies; -1 where there is none."""
+    faces, pieces = near.crushed, near.pieces
+    body = np.repeat(pieces.body, np.diff(pieces.face_start))
+    block, corner = pieces.block[body], near.motion.centre[body] + faces.corner
+    order = np.argsort(block, kind="stable")
+    start = np.searchsorted(block[order], np.arange(block.max(initial=-1) + 2))
+    cells = np.full((2, len(joints.area)), -1)
+    for side, (owner, sign) in enumerate(((joints.block_a, 1.0), (joints.block_b, -1.0))):
+        for b in np.unique(owner):
+            c, f = np.flatnonzero(owner == b), order[start[b] : start[b + 1]]
+            offset = joints.point[c][:, None] - corner[f]
+            u, v = (np.einsum("cfj,fj->cf", offset, axis[f]) for axis in (faces.along, faces.across))
+            height = np.abs(np.einsum("cfj,fj->cf", offset, pieces.normal[f]))
+            outside = np.maximum(np.maximum(-u, u - faces.number[f, 0]), np.maximum(-v, v - faces.number[f, 1]))
+            away = (sign * joints.normal[c] @ pieces.normal[f].T < FACING) | (outside > ON_FACE)
+            height[away] = np.inf
+            own, point = np.argmin(height, axis=1), np.arange(len(c))
+            i, j = (
+                np.clip(at[point, own].astype(np.int64), 0, faces.number[f[own], k] - 1) for k, at in enumerate((u, v))
+            )
+            there = np.isfinite(height[point, own])
+            cells[side, c] = np.where(there, faces.first[f[own]] + i * faces.number[f[own], 1] + j, -1)
+    return cells
