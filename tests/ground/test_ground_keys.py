@@ -6,21 +6,15 @@ import pytest
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load, to_toml
+from tests import scenes
 
-BLOCK = """
+BOXES = [
+    scenes.box("base", (-1, -1, -0.5), (2, 2, 0.5), "base", 0),
+    scenes.box("block", (-0.5, -0.5, 0), (1, 1, 0.2), "units", 1),
+]
+BLOCK = f"""
 law = "friction"
-[specimen]
-kind = "boxes"
-section = "1 m^2"
-[[specimen.box]]
-name = "base"
-group = "base"
-origin = ["-1 m", "-1 m", "-0.5 m"]
-size = ["2 m", "2 m", "0.5 m"]
-[[specimen.box]]
-name = "block"
-origin = ["-0.5 m", "-0.5 m", "0 m"]
-size = ["1 m", "1 m", "0.2 m"]
+{scenes.specimen(BOXES, 1.0)}
 [material.units]
 density = "2000 kg/m^3"
 [material.base]

@@ -6,24 +6,13 @@ import pytest
 import masonry
 from masonry.assembly.assemble import assemble
 from masonry.scene import load
+from tests import scenes
 
 SCENE = """
 law = "{law}"
 displacements = "{displacements}"
 kinematics = {{default = "{kinematics}", base = "rigid"}}
-[specimen]
-kind = "boxes"
-section = "1 m^2"
-mesh = "fan"
-[[specimen.box]]
-name = "base"
-group = "base"
-origin = ["{x} m", "-1 m", "-0.5 m"]
-size = ["3 m", "2 m", "0.5 m"]
-[[specimen.box]]
-name = "block"
-origin = ["{inner} m", "-0.25 m", "0 m"]
-size = ["1 m", "0.5 m", "0.2 m"]
+{specimen}
 [material.units]
 density = "2000 kg/m^3"
 young_modulus = "1 GPa"
@@ -63,7 +52,12 @@ DRY, GLUED = "tan_friction_angle = 0.2", "tensile_strength = '5 MPa'\ncohesion =
 
 def scene(tmp_path, displacements="small", kinematics="rigid", law="friction", x=-1, **keys):
     joint = DRY if law == "friction" else GLUED
-    text = SCENE.format(displacements=displacements, kinematics=kinematics, law=law, joint=joint, x=x, inner=x + 1)
+    boxes = [
+        scenes.box("base", (x, -1, -0.5), (3, 2, 0.5), "base", 0),
+        scenes.box("block", (x + 1, -0.25, 0), (1, 0.5, 0.2), "units", 1),
+    ]
+    specimen = scenes.specimen(boxes, 1.0, more='mesh = "fan"')
+    text = SCENE.format(displacements=displacements, kinematics=kinematics, law=law, joint=joint, specimen=specimen)
     (tmp_path / "shaken.toml").write_text(text)
     return load(tmp_path / "shaken.toml", keys)
 
@@ -137,10 +131,8 @@ def test_a_base_follows_its_record_and_its_work_is_in_the_ledger(tmp_path):
 
 def test_supports_that_move_apart_stretch_what_stands_between_them(tmp_path):
     """A bar between two plates: one rests, the other goes away by 0.1 mm, and the bar is pulled."""
-    box = '[[specimen.box]]\nname = "{0}"\ngroup = "{0}s"\norigin = ["{1} m", "0 m", "0 m"]\n'
-    box += 'size = ["1 m", "1 m", "1 m"]\n'
-    text = 'law = "elastic"\n[specimen]\nkind = "boxes"\nsection = "1 m^2"\n'
-    text += "".join(box.format(name, k) for k, name in enumerate(("near", "bar", "far")))
+    boxes = [scenes.box(name, (k, 0, 0), (1, 1, 1), f"{name}s", k) for k, name in enumerate(("near", "bar", "far"))]
+    text = 'law = "elastic"\n' + scenes.specimen(boxes, 1.0)
     text += "".join(f'[material.{name}s]\ndensity = "2000 kg/m^3"\n' for name in ("near", "bar", "far"))
     stiff = '[contact.{}]\nnormal_stiffness = "1 GPa/m"\nshear_stiffness = "1 GPa/m"\n'
     text += stiff.format("bars_nears") + stiff.format("bars_fars")
