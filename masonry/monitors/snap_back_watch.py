@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from geometry.jit_cache import compiled
 from masonry.errors import Stopped
 from masonry.laws.law_dispatch import word_of
 from masonry.laws.snap_back import given_mode_2_energy, least_mode_2_energy
@@ -26,22 +27,22 @@ class SnapBack:
             for g, span in enumerate(spans)
             if least_mode_2_energy(law_parameters[g], joint_properties[g], 0.0) is not None
         ]
-        self.before = {g: (self._compression(span), self._intact(span)) for g, span in self.spans}
+        self.before = {g: self._now(span, np.full(span.stop - span.start, np.inf))[:2] for g, span in self.spans}
 
     def check(self, step: int) -> None:
         """Raise Stopped, naming the contact, if one has softened with too little energy since the last look."""
         law_parameters, joint_properties = self.model.groups[:2]
         for g, span in self.spans:
-            compression, intact = self._compression(span), self._intact(span)
-            softened = intact < self.before[g][1]
-            most, left = np.maximum(compression, self.before[g][0]), self.before[g][1]
+            earlier, left = self.before[g]
+            compression, intact, softens = self._now(span, left)
             self.before[g] = compression, intact
-            if not softened.any():
+            if not softens:
                 continue
+            most = np.maximum(compression, earlier)
             lacking = least_mode_2_energy(law_parameters[g], joint_properties[g], most, left) - given_mode_2_energy(
                 law_parameters[g], most
             )
-            lacking[~softened] = -np.inf
+            lacking[~(intact < left)] = -np.inf
             worst = int(np.argmax(lacking))
             if lacking[worst] > 0.0:
                 self._stop(step, g, span.start + worst, float(most[worst]), float(lacking[worst]))
@@ -54,15 +55,14 @@ class SnapBack:
         """Go on from there."""
         self.before = {g: (state[str(g)][0], state[str(g)][1]) for g, _ in self.spans}
 
-    def _compression(self, span: slice) -> np.ndarray:
-        """(c,) Pa of a group's contacts, from the force that acts; 0 in tension."""
+    def _now(self, span: slice, left: np.ndarray) -> tuple[np.ndarray, np.ndarray, bool]:
+        """Of a group's contacts: compression (c,) Pa, from the force that acts, 0 in tension; share (c,) of the shear
+        strength above the residual that is left; and whether one has less than `left` (c,)."""
         _, normal, _, _, force = self.model.contacts
         area = self.model.joints.area[span]  # not that of the contacts, which is 0 where a bond has retired
-        return np.maximum(-np.einsum("ci,ci->c", force[span], normal[span]) / area, 0.0)
-
-    def _intact(self, span: slice) -> np.ndarray:
-        """(c,) share of the shear strength above the residual that is left."""
-        return self.model.state.intact_s[span].copy()
+        now = np.empty((2, len(area)))
+        softens = compress(force[span], normal[span], area, self.model.state.intact_s[span], left, *now)
+        return now[0], now[1], softens
 
     def _stop(self, step: int, g: int, contact: int, compression: float, lacking: float) -> None:
         parameters, bounds = self.model.groups.parameters[g], self.model.groups.bounds
@@ -77,3 +77,16 @@ class SnapBack:
             f"contact.{self.model.group_names[g]}.fracture_energy_mode_2 {wanted}, or "
             'choose law exponential with softening_variable = "displacement", which cannot snap back'
         )
+
+
+@compiled
+def compress(force, normal, area, intact, left, compression, kept):
+    """Write the compression (c,) of forces (c, 3) on areas (c,), and a copy (c,) of what is intact; returns whether one
+    has less than `left` (c,)."""
+    softens = False
+    for c in range(len(area)):
+        along = force[c, 0] * normal[c, 0] + force[c, 2] * normal[c, 2] + force[c, 1] * normal[c, 1]
+        compression[c] = max(-along / area[c], 0.0)
+        kept[c] = intact[c]
+        softens = softens or intact[c] < left[c]
+    return softens

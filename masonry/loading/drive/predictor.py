@@ -7,6 +7,7 @@ waves; what is damped is what follows from cracks. A little local damping beside
 
 import numpy as np
 
+from geometry.jit_cache import compiled
 from masonry.configuration.parts.parts import parts_of
 from masonry.kinematics.motion import Guided
 from masonry.model.damping import LITTLE
@@ -33,7 +34,7 @@ class Predictor:
         self.model = model
         self.parts = [(part.body, part.masses, part.displacements) for part in parts_of(model)]
         self.last = [place.copy() for _, _, place in self.parts]
-        self.fixed = [np.nonzero(body.dt_over_mass == 0.0) for body, _, _ in self.parts]
+        self.energies = [np.empty((2, *place.shape)) for place in self.last]
         self.displacement = self.kinetic = 0.0
         self.trust = 1.0
         self.half_c_dt, model.damping = AT_FIRST.half_c_dt, AT_FIRST
@@ -54,17 +55,15 @@ class Predictor:
         stiffness  N/m, where it is not the force over the displacement
         """
         rest = foreseen = 0.0
-        for body, m, _ in self.parts:
-            expected = speed * body.guess
-            rest += float(np.sum(m * (body.v - expected) ** 2))
-            foreseen += float(np.sum(m * expected**2))
+        for (body, m, _), (of_rest, of_expected) in zip(self.parts, self.energies, strict=True):
+            compare(speed, body.guess, body.v, m, of_rest, of_expected)
+            rest += float(np.sum(of_rest))
+            foreseen += float(np.sum(of_expected))
         self.trust = trust = foreseen / (foreseen + rest) if foreseen > 0.0 else 1.0
-        inertia = 0.0
-        for (body, m, place), last, fixed in zip(self.parts, self.last, self.fixed, strict=True):
-            body.guess[...] += trust * ((place - last) / (displacement - self.displacement) - body.guess)
-            body.guess[fixed] = 0.0
-            last[...] = place
-            inertia += float(np.sum(m * body.guess**2))
+        inertia, travel = 0.0, displacement - self.displacement
+        for (body, m, place), last, (energy, _) in zip(self.parts, self.last, self.energies, strict=True):
+            expect(trust, travel, place, last, body.dt_over_mass, body.guess, m, energy)
+            inertia += float(np.sum(energy))
         self.displacement = displacement
         self.kinetic = 0.5 * inertia * speed**2
         if inertia > 1e-20:  # kg: something moves with the drive, not round-off
@@ -86,3 +85,28 @@ class Predictor:
         for last, saved in zip(self.last, state["last"], strict=True):
             last[...] = saved
         self._damp(self.half_c_dt)
+
+
+@compiled
+def compare(speed, guess, v, m, of_rest, of_expected):
+    """Write twice the kinetic energies (rows, dofs) of what moves otherwise than expected, and of what is expected."""
+    for row in range(m.shape[0]):
+        for i in range(m.shape[1]):
+            expected = speed * guess[row, i]
+            unexpected = v[row, i] - expected
+            of_rest[row, i] = m[row, i] * (unexpected * unexpected)
+            of_expected[row, i] = m[row, i] * (expected * expected)
+
+
+@compiled
+def expect(trust, travel, place, last, dt_over_mass, guess, m, energy):
+    """Bring the guess nearer to what the last increment of the drive, of so much travel, brought, and keep the place;
+    write twice its kinetic energy (rows, dofs)."""
+    for row in range(m.shape[0]):
+        for i in range(m.shape[1]):
+            if dt_over_mass[row, i] == 0.0:
+                guess[row, i] = 0.0
+            else:
+                guess[row, i] += trust * ((place[row, i] - last[row, i]) / travel - guess[row, i])
+            last[row, i] = place[row, i]
+            energy[row, i] = m[row, i] * (guess[row, i] * guess[row, i])

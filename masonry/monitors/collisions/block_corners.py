@@ -24,33 +24,30 @@ class Corners:
         self.points = distinct(pad(np.arange(start[-1])[:, None], start, blocks.face_points)[0][:, :, 0])
         self.place = blocks.points[self.points]
         self.arm = self.place - model.layout.centroid[:, None]
+        count = model.blocks.count
+        self.shift, self.gradient, self.reach = np.zeros((count, 3)), np.zeros((count, 3, 3)), np.zeros(count)
+        self.moved = np.zeros(self.arm.shape)
 
     def now(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Where they are (B, K, 3) m, how far they have moved at most along x, y or z (B,) m, and the gradients of
-        these displacements (B, 3, 3), 0 for blocks with tets."""
-        shift, gradient = self._motion()
-        place, reach = moved(self.place, self.arm, shift, gradient)
+        these displacements (B, 3, 3), 0 for blocks with tets: arrays that the next look writes anew."""
+        layout, place, reach = self.model.layout, self.moved, self.reach
+        rigid, affine, _ = self.model.bodies
+        if rigid is not None:
+            write_motion(rigid.q, layout.axes, layout.members["rigid"], self.shift, self.gradient)
+        if affine is not None:
+            write_strain(affine.q, layout.axes, layout.members["affine"], self.shift, self.gradient)
+        move(self.place, self.arm, self.shift, self.gradient, place, reach)
         if self.nearest is not None:
             which = self.model.layout.members["tets"]
             by_nodes = self.model.u[self.nearest[self.points[which]]]
             place[which], reach[which] = self.place[which] + by_nodes, np.abs(by_nodes).max(axis=(1, 2))
-        return place, reach, gradient
+        return place, reach, self.gradient
 
     def displaced(self) -> Blocks:
         """The blocks as they are now, none of which shares a corner with another."""
         blocks = self.model.blocks
         return replace(blocks, points=blocks.points + self.frames.corners())
-
-    def _motion(self) -> tuple[np.ndarray, np.ndarray]:
-        """Displacement (B, 3) m of the centroids of rigid and affine blocks, and its gradient (B, 3, 3)."""
-        layout, count = self.model.layout, self.model.blocks.count
-        shift, gradient = np.zeros((count, 3)), np.zeros((count, 3, 3))
-        rigid, affine, _ = self.model.bodies
-        if rigid is not None:
-            write_motion(rigid.q, layout.axes, layout.members["rigid"], shift, gradient)
-        if affine is not None:
-            write_strain(affine.q, layout.axes, layout.members["affine"], shift, gradient)
-        return shift, gradient
 
 
 @compiled
@@ -79,18 +76,17 @@ def write_strain(q, axes, which, shift, gradient):
 
 
 @compiled
-def moved(place, arm, shift, gradient):
-    """Places (B, K, 3) of corners that are moved by shift (B, 3) and gradient (B, 3, 3) times arm (B, K, 3); and the
-    largest component of each block's displacements (B,)."""
-    now, reach = np.empty(arm.shape), np.zeros(len(arm))
+def move(place, arm, shift, gradient, now, reach):
+    """Write the places (B, K, 3) of corners that are moved by shift (B, 3) and gradient (B, 3, 3) times arm (B, K, 3),
+    and the largest component of each block's displacements (B,)."""
     for b in range(arm.shape[0]):
+        reach[b] = 0.0
         for k in range(arm.shape[1]):
             x, y, z = arm[b, k, 0], arm[b, k, 1], arm[b, k, 2]
             for i in range(3):
                 displacement = shift[b, i] + gradient[b, i, 0] * x + gradient[b, i, 1] * y + gradient[b, i, 2] * z
                 now[b, k, i] = place[b, k, i] + displacement
                 reach[b] = max(reach[b], abs(displacement))
-    return now, reach
 
 
 def distinct(points: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centr
 from geometry.polyhedra.overlaps import overlap, widest_gaps
 from masonry.errors import Stopped
 from masonry.model.model import Model
-from masonry.monitors.collisions.block_corners import Corners, moved
+from masonry.monitors.collisions.block_corners import Corners, move
 from masonry.monitors.frames import compile_frame
 from masonry.monitors.observer import Observer, View
 
@@ -77,8 +77,8 @@ class Collision(Observer):
             self._find_candidates(reach)
         if len(self.pairs) == 0:
             return
-        depth = self.least + CLOSURES * max(0.0, -float(opening.min(initial=0.0)))
-        depth += 0.5 * rotation**2 * self.larger
+        depth = np.empty(len(self.pairs))
+        write_depths(opening, 0.5 * rotation**2, self.least, self.larger, depth)
         if len(self.met):
             depth += DEEPER * self.smaller * np.isin(self.codes, self.met)
         near = self._not_parted(place, gradient, depth)
@@ -109,7 +109,7 @@ class Collision(Observer):
 
     def _not_parted(self, place: np.ndarray, gradient: np.ndarray, depth: np.ndarray) -> np.ndarray:
         """The candidates that neither the axis between them, turned with its block, nor their boxes still part."""
-        return np.flatnonzero(overlap_on_all(place, gradient, self.one, self.sum - self.one, self.axis, depth))
+        return np.flatnonzero(overlap_on_all(place, gradient, self.one, self.sum, self.axis, depth))
 
     def _look_closely(self, step: int, near: np.ndarray, depth: np.ndarray, gradient: np.ndarray) -> None:
         """Stop if these candidates overlap, or make it a doubt; if not, find the axis that parts them now."""
@@ -163,7 +163,8 @@ def compile_look(model: Model) -> None:
     if are_all_joined(joined_pairs(model), model.blocks):
         return
     place, gradient, one = np.zeros((1, 1, 3)), np.zeros((1, 3, 3)), np.zeros(1, dtype=np.int64)
-    moved(place, place, np.zeros((1, 3)), gradient)
+    move(place, place, np.zeros((1, 3)), gradient, place, np.zeros(1))
+    write_depths(np.zeros(1), 0.0, np.zeros(1), np.zeros(1), np.zeros(1))
     overlap_on_all(place, gradient, one, one, np.array([[0.0, 0.0, 1.0]]), np.zeros(1))
 
 
@@ -187,12 +188,23 @@ def overlap_along(place, gradient, a, b, axis):
 
 
 @compiled
-def overlap_on_all(place, gradient, one, two, axis, depth):
+def write_depths(opening, turning, least, larger, depth):
+    """Write the overlap (N,) m that needs no meeting: a least one (N,), what the deepest closure of all contacts with
+    these openings (C,) m squeezes corners by, and a share of the larger block (N,) m, as it turned."""
+    closure = 0.0
+    for c in range(len(opening)):
+        closure = min(closure, opening[c])
+    for p in range(len(depth)):
+        depth[p] = (least[p] - CLOSURES * closure) + turning * larger[p]
+
+
+@compiled
+def overlap_on_all(place, gradient, one, both, axis, depth):
     """(N,) whether two blocks overlap by more than a depth (N,) m along an axis (N, 3) from one to the other, and along
-    x, y and z."""
+    x, y and z; both (N,): the sum of their numbers."""
     overlap = np.zeros(len(one), dtype=np.bool_)
     for p in range(len(one)):
-        a, b = one[p], two[p]
+        a, b = one[p], both[p] - one[p]
         overlap[p] = overlap_along(place, gradient, a, b, axis[p]) > depth[p]
         for i in range(3 if overlap[p] else 0):
             of_a, of_b = place[a, :, i], place[b, :, i]
