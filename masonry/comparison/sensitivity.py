@@ -7,6 +7,7 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles
 from masonry.assembly.assemble import assemble
+from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.comparison import study_table
 from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
@@ -56,6 +57,7 @@ def sensitivity(
     Raises SceneError or GeometryError before anything runs. A variant that cannot be built, or is stopped, is a row.
     """
     require_format(form)
+    require_axles_to_load(scene)
     chosen = variants(assemble(scene), only, quick)
     if workers is not None and workers < 1:
         raise SceneError(f"{workers} workers: 1 or more")

@@ -42,6 +42,7 @@ FIGURES = (
     Figure("peak_stress_pa", "peak", "MPa", 1e-6),
     Figure("displacement_at_peak_m", "at", "mm", 1e3),
     Figure("final_stress_pa", "end", "MPa", 1e-6),
+    Figure("collapse_load.borne", "load factor", "", 1.0),
     Figure("dissipated_j", "dissipated", "J", 1.0),
 )
 NOTHING = 1e-9
@@ -104,12 +105,13 @@ def word_of(row: Row) -> str:
 def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | None]:
     largest: dict[str, float] = {}
     for figure in FIGURES:
-        largest[figure.unit] = max(largest.get(figure.unit, 0.0), abs(base[figure.key] or 0.0))
+        largest[figure.unit] = max(largest.get(figure.unit, 0.0), abs(base.get(figure.key) or 0.0))
     deviations: dict[str, float | None] = {}
     for figure in FIGURES:
-        here, there = row[figure.key], base[figure.key]
-        comparable = None not in (here, there) and abs(there) > NOTHING * largest[figure.unit]
-        deviations[f"{figure.key}_deviation"] = here / there - 1.0 if comparable else None
+        here, there = row.get(figure.key), base.get(figure.key)
+        deviations[f"{figure.key}_deviation"] = None
+        if here is not None and there is not None and abs(there) > NOTHING * largest[figure.unit]:
+            deviations[f"{figure.key}_deviation"] = here / there - 1.0
     return deviations
 
 

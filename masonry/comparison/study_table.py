@@ -21,17 +21,18 @@ OF_LITTLE = 0.01
 
 def text(rows: Sequence[Row]) -> str:
     """The table in columns, a line a run, and the sentence below it."""
-    heads = ["run", "verdict", *(f"{f.name} [{f.unit}]" for f in FIGURES), "time", "doubts"]
-    lines = [heads, *(_words(row) for row in rows)]
+    figures = [figure for figure in FIGURES if any(row.get(figure.key) is not None for row in rows)]
+    heads = [f"{figure.name} [{figure.unit}]" if figure.unit else figure.name for figure in figures]
+    lines = [["run", "verdict", *heads, "time", "doubts"], *(_words(row, figures) for row in rows)]
     lost = [f"{row['variant']}: {word_of(row)}, {row['trust_sentence']}" for row in rows if row["status"] != "OK"]
     below = [line for words in (sentence(rows), *lost) for line in textwrap.wrap(visible(words), WIDTH)]
     return "\n".join([*columns(lines), "", *below])
 
 
-def _words(row: Row) -> list[str]:
+def _words(row: Row, figures: Sequence[Figure]) -> list[str]:
     seconds = duration(row["seconds"]) if row["seconds"] is not None else "-"
-    figures = [_figure(row, figure) for figure in FIGURES]
-    return [visible(row["variant"]), word_of(row), *figures, seconds, visible(row["doubts"] or "")]
+    numbers = [_figure(row, figure) for figure in figures]
+    return [visible(row["variant"]), word_of(row), *numbers, seconds, visible(row["doubts"] or "")]
 
 
 def _figure(row: Row, figure: Figure) -> str:
@@ -72,13 +73,13 @@ def sentence(rows: Sequence[Row]) -> str:
 
 
 def _name(figure: Figure) -> str:
-    names = {"peak": "peak", "at": "displacement there", "end": "end stress", "dissipated": "dissipated energy"}
-    return names[figure.name]
+    names = {"at": "displacement there", "end": "end stress", "dissipated": "dissipated energy"}
+    return names.get(figure.name, figure.name)
 
 
 def _distance(row: Row, base: Row, figure: Figure) -> float:
     """How far a figure is from the base, for the sentence."""
-    deviation = row[f"{figure.key}_deviation"]
+    deviation = row.get(f"{figure.key}_deviation")
     return abs(deviation) * _weight(base, figure) if deviation is not None else 0.0
 
 

@@ -19,6 +19,10 @@ RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
 TORN_LEDGER = 0.2
 """Share of the external work by which the two sums of the dissipation may differ before a run is stopped."""
+STRETCHED = 1e-10
+"""Share of the smallest block by which the stiffest bar is stretched at the least work that is looked at, if there are
+bars. The force of a bar that is pulled aside from rest grows as the third power of the way: over its first steps the
+two sums differ by half, of next to nothing."""
 
 
 class Watch(Observer):
@@ -36,6 +40,7 @@ class Watch(Observer):
         self.leap = self.configuration.leap * self.size
         self.arm = np.array([1.0] * 3 + [self.size] * 9)
         self.snap_back = SnapBack(model)
+        self.least = stiffest(model) * (STRETCHED * self.size) ** 2
 
     def check(self, step: int) -> None:
         """Raise Stopped if a velocity is not finite or leaps, a block has turned too far, or a law snaps back."""
@@ -75,7 +80,7 @@ class Watch(Observer):
         self.work = max(self.work, abs(terms["external_work"]))
         work = self.work + (abs(terms["damping"]) if model.dry else 0.0)
         torn = abs(open_in_contacts(terms))
-        if self.work > 0.0 and (abs(terms["kinetic"]) > RINGING * work or torn > TORN_LEDGER * work):
+        if self.work > self.least and (abs(terms["kinetic"]) > RINGING * work or torn > TORN_LEDGER * work):
             self._stop_unstable(step)
         return {"rotation": self.rotation}
 
@@ -118,6 +123,11 @@ def fastest(v, arm):
                 if np.isnan(speed):
                     return speed
     return most
+
+
+def stiffest(model: Model) -> float:
+    """N/m, of the stiffest bar; 0 without bars."""
+    return 0.0 if model.bars is None else float(model.bars.stiffness.max())
 
 
 def smallest_block(model: Model) -> float:

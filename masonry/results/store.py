@@ -52,6 +52,8 @@ def read(folder: Path | str) -> dict[str, Any]:
     for name in ("summary.json", "history.h5"):
         if not (folder / name).is_file() and (folder / "checkpoint" / "scene.toml").is_file():
             raise SceneError(f"the run in '{folder}' is not finished; continue it: masonry resume {folder}")
+        if not (folder / name).is_file() and (folder / "limit.json").is_file():
+            raise SceneError(f"'{folder}' holds a limit analysis, which has its pictures already, and no run")
         if not (folder / name).is_file():
             raise SceneError(f"'{folder}' has no {name}; it is not a folder of results, or its run did not finish")
     summary = read_summary(folder / "summary.json")

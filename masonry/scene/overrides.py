@@ -52,7 +52,8 @@ def _split(text: str) -> tuple[str, str]:
 def _value(value: Any) -> Any:
     """A TOML value where the text is one, else the text; a plain number where it is one of numpy's."""
     if not isinstance(value, str):
-        return value.item() if isinstance(value, Number) and hasattr(value, "item") else deepcopy(value)
+        of_numpy = hasattr(value, "item") and (isinstance(value, Number) or "bool" in type(value).__name__)
+        return value.item() if of_numpy else deepcopy(value)
     try:
         value.encode()
         read_as_toml = tomllib.loads(f"value = {value}")

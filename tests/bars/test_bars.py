@@ -193,3 +193,22 @@ def test_what_a_bar_gives_to_its_end_in_space_counts_with_the_supports(displacem
         assert abs(result.history.rows["force"][-1]) == pytest.approx(np.sqrt(2.0) * 1e3, rel=1e-3)
         assert result.summary["reaction_mismatch_max"] < 1e-9
     assert space.summary["steps"] == block.summary["steps"]
+
+
+@pytest.mark.parametrize("strength", [None, "10 MPa"])
+def test_a_bar_that_is_pulled_aside_turns_by_thirty_degrees_and_its_force_with_it(strength):
+    """A block that a rod of 1 m holds from above goes aside: over the first steps next to nothing is stored."""
+    bar = {"name": "bar", "ends": [["0 m"] * 3, ["0 m", "0 m", "1 m"]], "fixed_end": "second", "area": "1 cm^2"}
+    rod = [bar | {"young_modulus": "10 GPa"} | ({"strength": strength} if strength else {})]
+    aside = {"displacements": "large", "drive.history": ["577.35 mm", "300 mm"], "drive.steps": 10_000}
+    result = masonry.run(load("block-on-a-bar", aside | {"bar": rod}))
+    rows = result.history.rows
+    longer, plastic, force = np.hypot(1.0, rows["x"]) - 1.0, 0.0, []
+    for length in longer:
+        plastic = max(plastic, length - 1e-3) if strength else 0.0
+        force.append(max(STIFFNESS * (length - plastic), 0.0))
+    assert np.abs(rows["bar"] - force).max() < 1e-9 * max(force)
+    last = rows["x"].argmax()
+    pushes = force[last] * rows["x"][last] / (1.0 + longer[last])
+    assert rows["stress"][last] * result.summary["section_m2"] == pytest.approx(pushes, rel=1e-3)
+    assert result.summary["energy_imbalance"] < 1e-12

@@ -160,3 +160,13 @@ def test_a_figure_that_is_nothing_in_the_base_has_no_deviation():
     deviations = _deviations(row(final_stress_pa=1.0), base)
     assert deviations["final_stress_pa_deviation"] is None and deviations["dissipated_j_deviation"] is None
     assert deviations["peak_stress_pa_deviation"] == 0.0
+
+
+def test_of_a_load_that_grows_the_answer_is_its_factor(tmp_path):
+    pushed = masonry.load("arch-own-weight", {"limit.accuracy": "5 %"})
+    study = masonry.sensitivity(pushed, tmp_path / "out", ["damping"], quick=True, workers=1)
+    assert all(row["collapse_load.borne"] > 0.0 and row["peak_stress_pa"] is None for row in study.rows)
+    heads = repr(study).splitlines()[0].split()
+    assert heads == ["run", "verdict", "load", "factor", "dissipated", "[J]", "time", "doubts"]
+    axes, moved = figure_of("Pushed", study.folder, study.rows).axes
+    assert axes.get_ylabel() == "load factor" and moved.get_xlabel() == "change of the load factor [%]"

@@ -116,3 +116,20 @@ def test_a_path_may_be_any_path(tmp_path):
             return str(tmp_path / "scene.toml")
 
     assert masonry.load(Place()).law == masonry.load("couplet").law
+
+
+def test_numbers_and_truth_values_of_numpy_are_plain_ones():
+    tied = masonry.load("wall-tied", {"bar.0.compression": np.bool_(True), "bar.0.repeat": np.int64(2)})
+    assert tied.bar[0].compression is True and tied.bar[0].repeat == 2
+    assert masonry.load({"base": "couplet", "solver": {"damping": np.float64(0.5)}}).solver.damping == 0.5
+
+
+def test_a_folder_of_a_limit_analysis_is_called_so(tmp_path):
+    (tmp_path / "limit.json").write_text("{}")
+    refused(lambda: masonry.load_result(tmp_path), "holds a limit analysis", "no run")
+    refused(lambda: masonry.report(tmp_path, tmp_path / "page.html"), "holds a limit analysis")
+
+
+def test_a_sensitivity_of_axles_that_no_run_bears_is_refused_before_it_runs(tmp_path):
+    refused(lambda: masonry.sensitivity("bridge-single-span", tmp_path / "out"), "limit.accuracy: missing")
+    assert not (tmp_path / "out").exists()

@@ -59,6 +59,8 @@ def draw_bars(
         segments = [camera.project(line[:1] + np.array([[a], [b]]) / PARTS * (line[1:] - line[:1]))
                     for line, a, b in ((lines[bar], a, b) for bar, a, b in runs)]  # fmt: skip
         owners = [colours[bar] for bar, *_ in runs]
+        if not runs:
+            continue
         axes.add_collection(LineCollection(segments, colors=owners, linewidths=1.6, linestyles=style, zorder=3.8))
     axes.scatter(*flat.T, s=16.0, marker="s", c=np.repeat(colours, 2).tolist(), linewidths=0.0, zorder=3.9)
 
