@@ -12,7 +12,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.openings import require_bearing, thinner
+from masonry.monitors.openings import closed, require_bearing, thinner
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
@@ -83,8 +83,8 @@ class Collapse(Observer):
         opening, overlap = view.seen.opening, self._overlap(model, step)
         if model.swept:
             require_bearing(model, self.extent, step)
-            closed = np.where(model.alive, -opening / self.extent, 0.0)
-            overlap = max(overlap, float(closed.max(initial=0.0)))
+            closures = np.where(model.alive, closed(model, opening) / self.extent, 0.0)
+            overlap = max(overlap, float(closures.max(initial=0.0)))
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:

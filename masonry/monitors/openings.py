@@ -24,8 +24,14 @@ class Openings(Observer):
         require_bearing(model, self.extent, step)
         return {
             "widest": float(opening.max(initial=0.0)),
-            "overlap": float((-opening / self.extent).max(initial=0.0)),
+            "overlap": float((closed(model, opening) / self.extent).max(initial=0.0)),
         }
+
+
+def closed(model: Model, opening: np.ndarray) -> np.ndarray:
+    """(C,) m by which the springs of contacts close: what they crushed is a loss of the joint, and no overlap."""
+    crushed = model.state.crushed
+    return -opening if crushed is None else -opening - crushed[:, 0]
 
 
 def require_bearing(model: Model, extent: np.ndarray, step: int) -> None:

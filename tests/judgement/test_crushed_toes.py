@@ -13,8 +13,8 @@ from tests.scenes import box, listed, load, specimen, tables
 SIDE, STRENGTH, SHARE = 0.2, 10e6, 0.1
 
 
-def inspection(points: int, where: str, every: bool = False):
-    """A block on a slab, whose edge presses by as much as SHARE of its area crushes."""
+def inspection(points: int, where: str, every: bool = False, closing: float = 1e-3):
+    """A block on a slab, whose edge presses by as much as SHARE of its area crushes, and closed for good (m)."""
     more = f'contact_points = "{where}"\npoints_per_edge = {points}'
     boxes = [slab(1.0), box("block", (0.0, 0.0, 0.0), (SIDE, SIDE, 0.1), "units", 1)]
     contact = (
@@ -33,7 +33,7 @@ def inspection(points: int, where: str, every: bool = False):
     joints, crushed = assembly.joints, assembly.model.state.crushed
     x = joints.point[:, 0] - SIDE / 2
     pressed = np.where(x > 0.5 * x.max(), 1.0, 0.0)
-    crushed[:, 0] = 1e-3 if every else 1e-3 * pressed
+    crushed[:, 0] = closing if every else closing * pressed
     stress = -SHARE * STRENGTH * SIDE**2 * pressed / (joints.area @ pressed)
     run = inspected(assembly, [frame(assembly, normal_stress=stress)])
     run.peak = 0
@@ -52,3 +52,9 @@ def test_few_rows_at_a_crushed_edge_are_told_by_how_much_they_are_off(points, wh
 
 def test_a_joint_that_is_crushed_evenly_does_not_bend():
     assert crushed_toes.doubts(inspection(2, "gauss", every=True)) == []
+
+
+@pytest.mark.parametrize(("closing", "said"), [(0.99e-4, False), (1.01e-4, True)])
+def test_an_edge_that_only_begins_to_crush_bears_a_wedge_and_no_block(closing, said):
+    """The joint presses by its strength at 1 mm."""
+    assert bool(crushed_toes.doubts(inspection(2, "gauss", closing=closing))) is said

@@ -16,7 +16,7 @@ from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND
 from masonry.monitors.collapse import Collapse, LargestDeformation
 from masonry.monitors.observer import View
-from masonry.monitors.openings import Openings
+from masonry.monitors.openings import Openings, closed
 from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by
 from masonry.monitors.settling import unbalanced
 from masonry.monitors.slide import Slide, is_roller
@@ -89,6 +89,12 @@ def test_openings_are_told_in_m_and_closures_over_the_thinner_block():
     model = assemble(small([GROUND, BLOCK], [HELD], WEIGHT)).model
     found = Openings(model).look(model, seen(model, opening=np.array([2e-4, -1e-4, -3e-5, 0.0])), 0)
     assert found == {"widest": 2e-4, "overlap": pytest.approx(1e-4 / 0.1)}
+
+
+def test_what_a_joint_crushed_is_no_overlap():
+    """The second is closed by 0.1 mm, of which 0.08 mm are crushed."""
+    model = SimpleNamespace(state=SimpleNamespace(crushed=np.array([[0.0, 0.0, 0.0], [8e-5, 9e-5, 1.0]])))
+    assert closed(model, np.array([-1e-5, -1e-4])) == pytest.approx([1e-5, 2e-5])
 
 
 def test_what_is_unbalanced_is_what_accelerates_over_the_dead_loads():

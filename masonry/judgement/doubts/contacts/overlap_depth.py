@@ -1,6 +1,7 @@
 """Do contacts close by much of a block? The deepest overlap over the size of its block.
 
-Blocks that overlap by 1 % stand visibly elsewhere than they should; areas and lever arms are off by as much.
+Blocks that overlap by 1 % stand visibly elsewhere than they should; areas and lever arms are off by as much. What a
+joint has crushed is its own loss, and no overlap of blocks.
 """
 
 from masonry.judgement.doubt import Criterion

@@ -5,7 +5,8 @@ By hand, under the normal force N that the joint has at the peak: a block of its
 N, at the edge that is pressed; by its points, filled from that edge on, and by strips. The limit is 3 % of the moment,
 of the joint that is farthest off; six Gauss points along an edge are within 4 %, ten within 1.5 %
 (docs/choose-settings.md). A joint that bears a tenth of the largest moment or less is not asked: head joints touch at a
-corner, where three points are off by a fifth, and walls bear the same with many.
+corner, where three points are off by a fifth, and walls bear the same with many. Nor is one whose edge crushed by far
+less than it closes elastically: its stress is still a wedge, which few points bear well, and no block.
 """
 
 import numpy as np
@@ -19,6 +20,8 @@ OFF = 0.03
 """Of the moment of a joint."""
 SMALL = 0.1
 """Of the largest moment of a joint."""
+WEDGE = 0.1
+"""Of the closing at which a joint presses by its strength: what crushed by less is no stress block yet."""
 EVEN = 0.9
 """Of the largest plastic closing in a joint: where all points closed by more, it does not bend."""
 
@@ -52,7 +55,9 @@ def _errors(inspection: Inspection, closing: np.ndarray) -> list[float]:
         own, length = faces.contacts(face), float(np.linalg.norm(look.moment[face]))
         joint, force = law_of(assembly, faces, face)[1], -float(look.force[face])
         strength = joint.compressive_strength
-        if most[face] == 0.0 or strength is None or length <= small or force <= 0.0:
+        if strength is None or length <= small or force <= 0.0:
+            continue
+        if most[face] <= WEDGE * float(strength) / float(joint.normal_stiffness):
             continue
         share = force / (float(strength) * faces.area[face])
         if closing[own].min() > EVEN * most[face] or share >= 1.0:
