@@ -37,8 +37,6 @@ def draw_bars(
     are seen, they are dashed where these hide them."""
     if not bars:
         return
-    from matplotlib.collections import LineCollection
-
     ends = np.array([place for bar in bars for place in bar.places])
     places = ends.reshape(-1, 3)
     if moves is not None:
@@ -49,20 +47,36 @@ def draw_bars(
         places[which] = places[which] + moves(np.array(block), places[which])
     flat, lines = camera.project(places), places.reshape(-1, 2, 3)
     colours = np.where(np.zeros(len(ends), dtype=bool) if yielded is None else yielded, YIELDED, ELASTIC)
-    hidden = np.zeros((len(lines), PARTS), dtype=bool)
-    if seen and not camera.along_an_axis:
-        middle = (np.arange(PARTS)[:, None] + 0.5) / PARTS
-        inner = lines[:, :1] + middle * (lines[:, 1:] - lines[:, :1])
-        hidden = behind(inner.reshape(-1, 3), seen, camera).any(axis=1).reshape(-1, PARTS)
+    hidden = _hidden_parts(lines, camera, seen)
     for style, is_drawn in (("solid", ~hidden), ((0, (3.0, 2.0)), hidden)):
-        runs = [(bar, *ends) for bar, row in enumerate(is_drawn) for ends in stretches(row)]
-        segments = [camera.project(line[:1] + np.array([[a], [b]]) / PARTS * (line[1:] - line[:1]))
-                    for line, a, b in ((lines[bar], a, b) for bar, a, b in runs)]  # fmt: skip
-        owners = [colours[bar] for bar, *_ in runs]
-        if not runs:
-            continue
-        axes.add_collection(LineCollection(segments, colors=owners, linewidths=1.6, linestyles=style, zorder=3.8))
+        _draw_parts(axes, lines, is_drawn, camera, colours, style)
     axes.scatter(*flat.T, s=16.0, marker="s", c=np.repeat(colours, 2).tolist(), linewidths=0.0, zorder=3.9)
+
+
+def _hidden_parts(lines: np.ndarray, camera: Camera, seen: list[Piece] | None) -> np.ndarray:
+    """(K, PARTS) whether pieces hide a part of bars between ends (K, 2, 3); nothing does along an axis."""
+    if not seen or camera.along_an_axis:
+        return np.zeros((len(lines), PARTS), dtype=bool)
+    middle = (np.arange(PARTS)[:, None] + 0.5) / PARTS
+    inner = lines[:, :1] + middle * (lines[:, 1:] - lines[:, :1])
+    return np.asarray(behind(inner.reshape(-1, 3), seen, camera).any(axis=1).reshape(-1, PARTS))
+
+
+def _draw_parts(
+    axes: Any, lines: np.ndarray, is_drawn: np.ndarray, camera: Camera, colours: np.ndarray, style: Any
+) -> None:
+    from matplotlib.collections import LineCollection
+
+    runs = [(bar, *ends) for bar, row in enumerate(is_drawn) for ends in stretches(row)]
+    if not runs:
+        return
+    shares = np.array([ends for _, *ends in runs]) / PARTS
+    owner = np.array([bar for bar, *_ in runs])
+    first, second = lines[owner, :1], lines[owner, 1:]
+    segments = camera.project(first + shares[:, :, None] * (second - first))
+    axes.add_collection(
+        LineCollection(list(segments), colors=colours[owner].tolist(), linewidths=1.6, linestyles=style, zorder=3.8)
+    )
 
 
 def stretches(row: np.ndarray) -> list[tuple[int, int]]:
