@@ -20,7 +20,7 @@ class CrushedJoints:
     """Looks at the faces of a model of large displacement where its joints were, in the undeformed shape."""
 
     def __init__(self, model: Model, large: Large) -> None:
-        self.model, self.large = model, large
+        self.model, self.parts = model, large
         self.cells = cells_of_joints(model.joints, large.near)
         block = np.sort(np.column_stack([model.joints.block_a, model.joints.block_b]), axis=1)
         pair, self.pair_of = np.unique(block, axis=0, return_inverse=True)
@@ -28,7 +28,7 @@ class CrushedJoints:
 
     def closing(self) -> np.ndarray:
         """(C,) m, plastic closing: of both faces at a place, or of the bond while it is there."""
-        model, faces = self.model, self.large.near.crushed
+        model, faces = self.model, self.parts.near.crushed
         bonds = np.zeros(len(model.group)) if model.state.crushed is None else model.state.crushed[:, 0].copy()
         patches = np.where(self.cells >= 0, faces.closing[self.cells], 0.0).sum(axis=0)
         self._add_growth(patches, np.flatnonzero(~model.alive))
@@ -36,7 +36,7 @@ class CrushedJoints:
 
     def _add_growth(self, closing: np.ndarray, gone: np.ndarray) -> None:
         """Add to the closing (C,) of joints that are gone what the points there have not told their faces yet."""
-        near = self.large.near
+        near = self.parts.near
         crushed = near.points.crushed
         assert crushed is not None
         pairs, points, pair_of = near.pairs, near.points, np.reshape(self.pair_of, -1)[gone]
