@@ -15,7 +15,10 @@ from masonry.timeloop.compiled_step import compile_for, is_compiled
 from masonry.timeloop.machine_record import read_record, write_record
 
 RECORD = "compiling"
-"""Seconds that it took last time on this machine, by what was compiled."""
+"""Seconds that it took last time on this machine, and at most so far, by what was compiled."""
+APART = 2.0
+"""Times the last time from which on the longest one is told too: parts that other scenes share may be there already,
+and a machine may be busy, so that the last time tells little."""
 
 
 def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None] | None) -> Seconds:
@@ -27,17 +30,22 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
         compile_for(model, threads)
         return Seconds.now() - begun
     what = compiling_text(model)
-    last = read_record(RECORD).get(what)
+    kind = f"{what} in {'large' if configuration_of(model).any_size else 'small'} displacement"
+    record, longest_of = read_record(RECORD), f"{kind}, longest"
+    last, longest = record.get(kind), record.get(longest_of, 0.0)
+    differs = last is not None and longest > APART * last
     waiting: contextlib.AbstractContextManager[None] = contextlib.nullcontext()
     if progress is not None:
         took = "" if last is None else f", {duration(last)} last time"
+        took += f" and {duration(longest)} at most" if differs else ""
         words = f"{what} (once for all such scenes{took})"
         progress(0, 0, words)
-        waiting = progress.waiting(words, last) if isinstance(progress, Progress) else waiting
+        waiting = progress.waiting(words, None if differs else last) if isinstance(progress, Progress) else waiting
     with waiting:
         compile_for(model, threads)
     seconds = Seconds.now() - begun
-    write_record(RECORD, read_record(RECORD) | {what: round(seconds.wall, 1)})
+    wall = round(seconds.wall, 1)
+    write_record(RECORD, read_record(RECORD) | {kind: wall, longest_of: max(wall, longest)})
     return seconds
 
 

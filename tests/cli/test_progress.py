@@ -222,10 +222,13 @@ def test_compiling_is_told_once_and_only_where_something_is_compiled(tmp_path):
 def test_what_is_compiled_says_how_long_it_took_last_time(tmp_path, monkeypatch):
     monkeypatch.setenv("MASONRY_CACHE", str(tmp_path))
     monkeypatch.setattr(compiling, "is_compiled", lambda model, threads: False)
-    monkeypatch.setattr(compiling, "compile_for", lambda model, threads: time.sleep(0.2))
+    sleeps = iter([0.2, 0.7, 0.2, 0.0])
+    monkeypatch.setattr(compiling, "compile_for", lambda model, threads: time.sleep(next(sleeps)))
     model = assemble(load("couplet")).model
     notes = []
-    for _ in range(2):
+    for _ in range(4):
         compiling.prepare(model, 1, lambda step, steps, note: notes.append(note))
     assert notes[0].endswith("rigid blocks, law exponential (once for all such scenes)")
     assert notes[1].endswith("rigid blocks, law exponential (once for all such scenes, 0.2 s last time)")
+    assert notes[2].endswith("(once for all such scenes, 0.7 s last time)")
+    assert notes[3].endswith("(once for all such scenes, 0.2 s last time and 0.7 s at most)")
