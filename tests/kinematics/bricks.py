@@ -53,7 +53,7 @@ def fly(body: Turning, dt: float, steps: int, damping=None, speed=0.0, drive=Non
     contacts = np.zeros((0, 2), dtype=np.uint32), np.zeros((0, 3)), np.zeros(0), nothing, nothing
     groups = (), (), (), np.zeros(0, dtype=np.uint32)
     bodies, drives, stepper = (body, None, None), (drive, None, None), Stepper()
-    stepper.prepare(lambda shared: step(None, dt, damping, groups, contacts, bodies, drives, shared))
+    stepper.prepare(lambda shared: step(None, dt, damping, groups, contacts, bodies, drives, shared), damping)
     stepper.take(0, steps, np.ones(steps + 1), np.full(steps + 1, speed), np.zeros(steps))
 
 
