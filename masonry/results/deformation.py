@@ -3,7 +3,6 @@
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.jit_cache import compiled
 from geometry.polyhedra.measures import sum_by_block
 from masonry.rows.history import Frame
 
@@ -57,8 +56,10 @@ class Deformation:
 
         corner, fraction  (n, 3) tet nodes round the point where its first is not -1, and their shape functions
         """
-        displacement = np.empty((len(block), 3))
-        displace(block, point, self._centre, self._shift, self.gradient, displacement)
+        arm = point - self._centre[block]
+        displacement = self._shift[block]
+        for i in range(3):  # one by one: nine numbers for every point are much
+            displacement[:, i] += np.einsum("nj,nj->n", self.gradient[block, i], arm)
         meshed = node >= 0
         displacement[meshed] = self._nodes[node[meshed]]
         if corner is not None and fraction is not None:
@@ -78,15 +79,3 @@ class Deformation:
             )
         )
         return a, b
-
-
-@compiled
-def displace(block, point, centre, shift, gradient, displacement):
-    """Write the displacements (n, 3) m of point (n, 3) as part of block (n,), by shift (B, 3) m and gradient (B, 3, 3)
-    about the centre (B, 3) m."""
-    for n in range(len(block)):
-        b = block[n]
-        x, y, z = point[n, 0] - centre[b, 0], point[n, 1] - centre[b, 1], point[n, 2] - centre[b, 2]
-        for i in range(3):
-            turned = gradient[b, i, 0] * x + gradient[b, i, 2] * z + gradient[b, i, 1] * y
-            displacement[n, i] = shift[b, i] + turned
