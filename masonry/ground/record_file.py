@@ -31,7 +31,9 @@ SEPARATORS = (";", "\t", None, ",")
 """Of columns, in the order in which they are looked for; None stands for blanks."""
 _IN_BRACKETS = re.compile(r"\s*[(\[]\s*([^)\]]*)[)\]]\s*$")
 _NAMED = re.compile(r"\S+(?:\s+[(\[][^)\]]*[)\]])?")
-_PEER = re.compile(r"NPTS\s*=\s*\d+\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?)|([\d.]+)\s+NPTS\s*,\s*DT", re.IGNORECASE)
+_PEER = re.compile(
+    r"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?)|(\d+)\s+([\d.]+)\s+NPTS\s*,\s*DT", re.IGNORECASE
+)
 _PEER_UNIT = re.compile(r"UNITS OF ([A-Z/0-9]+)", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d{2,}")
 _PER_SECOND = {"acceleration": "m/s^2", "velocity": "m/s", "displacement": "m"}
@@ -168,7 +170,7 @@ def read_record(path: Path) -> RecordFile:
     separator, first = _first_numbers(name, lines)
     heads = lines[:first]
     if (match := _PEER.search("\n".join(heads))) is not None:
-        return _of_peer(name, heads, lines[first:], float(match[1] or match[2]))
+        return _of_peer(name, heads, lines[first:], int(match[1] or match[3]), float(match[2] or match[4]))
     width = len(_cells(lines[first], separator))
     above = [_cells(line.strip().lstrip("#%"), separator) for line in heads if line.strip()]
     header = _names_and_units([cells for cells in above[-2:] if len(cells) == width])
@@ -186,12 +188,17 @@ def _with_enough(record: RecordFile) -> RecordFile:
     return record
 
 
-def _of_peer(name: str, heads: list[str], lines: list[str], step: float) -> RecordFile:
-    """The one component of a file of PEER, whose numbers go on from line to line."""
+def _of_peer(name: str, heads: list[str], lines: list[str], count: int, step: float) -> RecordFile:
+    """The one component of a file of PEER, whose numbers go on from line to line, and are as many as it says."""
     cells = " ".join(lines).split()
     wrong = next((cell for cell in cells if not _is_finite(cell)), None)
     if wrong is not None or step <= 0.0:
         raise SceneError(f"{name}: '{visible(str(wrong or step)[:40])}' is no number of a file of PEER")
+    if len(cells) != count:
+        raise SceneError(
+            f"{name} says that it has NPTS = {count} samples, and {len(cells)} numbers follow: it is cut off, or a row "
+            "of them is damaged"
+        )
     unit = _PEER_UNIT.search("\n".join(heads))
     column = "column 1" if unit is None else f"column 1 ({unit[1].lower()})"
     return _with_enough(RecordFile(name, (column,), np.array(cells, dtype=float)[:, None], step))

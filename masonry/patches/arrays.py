@@ -105,7 +105,7 @@ class Search(NamedTuple):
     group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;
              N pieces in all; alive (K,) whether they still do
-    moves    (B,) whether it can move
+    free     (B,) whether forces can move it          moves  (B,) whether these can, or a drive
     mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
     least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
@@ -128,6 +128,7 @@ class Search(NamedTuple):
     law_of: np.ndarray
     bonded: np.ndarray
     alive: np.ndarray
+    free: np.ndarray
     moves: np.ndarray
     mass: np.ndarray
     meshed: bool

@@ -285,7 +285,7 @@ def set_dashpot(pairs, rules, search, p, area):
     if damping_ratio > 0.0 and area > 0.0:
         a, b = pairs.body[p, 0], pairs.body[p, 1]
         one, two = search.mass[a], search.mass[b]
-        hit = one * two / (one + two) if search.moves[a] and search.moves[b] else (one if search.moves[a] else two)
+        hit = one * two / (one + two) if search.free[a] and search.free[b] else (one if search.free[a] else two)
         behind = hit if search.meshed else hit / area
         ratio = share_in_steps(rules.rise, pairs.law[p], damping_ratio, sqrt(kn / behind))
         pairs.dashpot[p] = 2.0 * ratio * sqrt(kn * hit / (1.0 if search.meshed else area))

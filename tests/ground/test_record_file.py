@@ -78,6 +78,8 @@ def test_a_file_of_peer_goes_on_from_line_to_line_and_says_its_step(tmp_path):
         ("acceleration (g)\n1\n2\n3\n", "has no column of times: say the time from sample to sample, step = '0.01 s'"),
         ("acceleration,up\n3,1\n2,2\n1,1\n", "not later than .*; if none has times, say the time from"),
         ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0 x\n", "'x' is no number of a file of PEER"),
+        ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0\n", "says that it has NPTS = 4 samples, and 3 numbers follow"),
+        ("5 .01 NPTS, DT\n**** 2.0\n3.0 4.0\n5.0\n", "says that it has NPTS = 5 samples, and 3 numbers follow"),
         ("time,acc (g)\n0,1\n1,2\n2,3\n", "no column 'acceleration'; known here: acc, time; did you mean 'acc'"),
         (
             "time (ms),acceleration (g)\n0,1\n1,2\n2,3\n",

@@ -5,13 +5,15 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.kinematics import deforming
+from masonry.laboratory import laboratory
 from masonry.patches.arrays import SHEAR
 from masonry.patches.refreshing import refresh
 from masonry.simd import FOUR
 from tests.kinematics.bricks import turn
 from tests.large.by_hand.patch_calls import press_deforming, stored_energy
-from tests.large.made import gather, hand_over
+from tests.large.made import dry, gather, hand_over, slab
 from tests.large.test_deforming import on_a_slope
+from tests.scenes import box
 
 STRAINED = np.array([[1.0, 1e-3, 2e-3], [-2e-3, 0.999, 1e-3], [1e-3, 2e-3, 0.998]])
 DOWN = 1e-5
@@ -120,3 +122,22 @@ def test_a_right_angle_turns_the_forces_and_stresses_of_a_strained_block_and_cha
         quarter @ forces[0][0] @ quarter.T, rel=0, abs=1e-9 * np.abs(forces[0][0]).max()
     )
     assert forces[1][1] == pytest.approx(forces[0][1], rel=1e-9)
+
+
+@pytest.mark.parametrize("kinematics", ["rigid", "affine"])
+def test_a_block_that_is_held_but_for_its_drive_presses_what_is_held(kinematics):
+    """kn times the way that the drive has gone, though neither of the two is free in anything."""
+    block = box("block", (-0.1, -0.1, 0.0), (0.2, 0.2, 0.2), "units", 1)
+    held = 'on = "slab"\nfix = "all"', 'on = "block"\nfix = ["x", "y", "rotation"]'
+    elastic = {"young_modulus": "10 GPa", "poisson_ratio": 0.2, "density": "2000 kg/m^3"}
+    down = '[drive]\non = "block"\ndirection = "-z"\ndisplacement = "0.02 mm"\nsteps = 2000\n'
+    changes = {
+        "kinematics": kinematics,
+        "material.units": elastic,
+        "solver.masses": "scaled",
+        "solver.duration": None,
+        "settle": None,
+        "contact.unit_unit.normal_dashpot": None,
+    }
+    result = laboratory.run(dry([slab(), block], gravity=(0.0, 0.0, 0.0), more=down, supports=held, changes=changes))
+    assert abs(result.history.rows["force"][-1]) == pytest.approx(10e9 * 2e-5 * 0.04, rel=1e-6)

@@ -9,6 +9,9 @@ from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
 from masonry.patches.arrays import BlockMotion
 
+Drives = tuple[np.ndarray | None, ...]
+"""By kind of bodies (K, 2) row and number of the dofs that the drive moves; None without."""
+
 
 def outer_tets(layout: Layout) -> SurfaceTets | None:
     """The tets at the surface of meshed blocks, each a body of its own behind those of the blocks; None without any."""
@@ -60,7 +63,7 @@ def masses_behind(layout: Layout, masses: dict[str, np.ndarray]) -> np.ndarray:
 
 
 def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.ndarray:
-    """(N,) whether a body can move."""
+    """(N,) whether forces can move a body."""
     free = np.zeros(len(layout.kind), dtype=bool)
     for kind, body in zip(KINDS, bodies, strict=True):
         if body is not None and not KIND[kind].nodal:
@@ -68,6 +71,18 @@ def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.
     if tets is None:
         return free
     return np.concatenate([free, bodies.tets.dt_over_mass.any(axis=1)[tets.node].any(axis=1)])
+
+
+def driven_bodies(layout: Layout, drives: Drives, tets: SurfaceTets | None) -> np.ndarray:
+    """(N,) whether the drive moves a body, or a node of it."""
+    driven = np.zeros(len(layout.kind), dtype=bool)
+    for kind, dofs in zip(KINDS, drives, strict=True):
+        if dofs is not None and not KIND[kind].nodal:
+            driven[layout.members[kind][dofs[:, 0]]] = True
+    if tets is None:
+        return driven
+    nodes = drives[KINDS.index("tets")]
+    return np.concatenate([driven, np.isin(tets.node, np.zeros(0) if nodes is None else nodes[:, 0]).any(axis=1)])
 
 
 def sizes_of(layout: Layout, tets: SurfaceTets | None) -> np.ndarray:

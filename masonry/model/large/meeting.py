@@ -22,7 +22,16 @@ from masonry.kernels.gathering import Members
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.body_arrays import Bodies, in_rows
-from masonry.model.large.block_motion import free_bodies, masses_behind, masses_of, motion_of, outer_tets, sizes_of
+from masonry.model.large.block_motion import (
+    Drives,
+    driven_bodies,
+    free_bodies,
+    masses_behind,
+    masses_of,
+    motion_of,
+    outer_tets,
+    sizes_of,
+)
 from masonry.model.large.bodies import deforming, deforming_tets, turning
 from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
@@ -214,6 +223,7 @@ def near_of(
     masses: dict[str, np.ndarray],
     meetings: Meetings,
     bonded: np.ndarray,
+    drives: Drives,
 ) -> tuple[Near, Members | None]:
     """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
@@ -223,6 +233,7 @@ def near_of(
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
     most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
     search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
+    search.moves[driven_bodies(layout, drives, tets)] = True
     crushed = (
         crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count], tets is not None) if meetings.crushes else None
     )
@@ -264,6 +275,7 @@ def search_of(
         law_of=meetings.law_of,
         bonded=pair_keys,
         alive=np.ones(len(pair_keys), dtype=bool),
+        free=free_bodies(layout, bodies, tets),
         moves=free_bodies(layout, bodies, tets),
         mass=masses_of(layout, masses, pieces.block) if tets is None else masses_behind(layout, masses)[pieces.block],
         meshed=tets is not None,
