@@ -1,5 +1,6 @@
 """The factor of a vehicle over its position, above the structure on the same scale, as a picture and as a table."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ BESIDE = 0.9
 SHOWN = 4.0
 """How many times the least factor the picture reaches up to."""
 COLOURS = {"x": "#1f5fa8", "-x": "#c0392b"}
+HEADER = "direction,position_m,factor\n"
 
 
 def envelope_figure(result: LimitData) -> Any:
@@ -57,10 +59,18 @@ def envelope_figure(result: LimitData) -> Any:
     return figure
 
 
+def is_envelope_table(path: Path) -> bool:
+    """Whether a file is such a table, by its first line."""
+    if not path.is_file():
+        return False
+    with path.open("rb") as file:
+        return file.read(len(HEADER)) == HEADER.encode()
+
+
 def envelope_table(envelope: FactorEnvelope) -> str:
-    """Lines of a CSV file: direction, position (m), factor."""
+    """Lines of a CSV file: direction, position (m), factor, under HEADER."""
     rows = zip(envelope.direction, envelope.position.tolist(), envelope.factor.tolist(), strict=True)
-    return "direction,position_m,factor\n" + "".join(f"{way},{x!r},{factor!r}\n" for way, x, factor in rows)
+    return HEADER + "".join(f"{way},{x!r},{factor!r}\n" for way, x, factor in rows)
 
 
 def _draw_factors(axes: Any, envelope: FactorEnvelope) -> None:

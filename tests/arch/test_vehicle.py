@@ -1,6 +1,7 @@
 """Axles on a road above an arch: what they press on, the least factor over their positions, and what is refused."""
 
 import csv
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -212,6 +213,16 @@ def test_the_envelope_is_written_as_a_table_and_drawn(one_axle, tmp_path):
     assert min(float(row["factor"]) for row in rows) == pytest.approx(one_axle.factor, rel=1e-6)
     assert one_axle.as_data()["position"] == one_axle.scene.vehicle.position
     assert "vehicle.position=" in str(one_axle)
+
+
+def test_a_table_of_somebody_else_stays_and_one_of_ours_goes(one_axle, tmp_path):
+    standing = replace(one_axle, envelope=None)
+    (tmp_path / "envelope.csv").write_text("mine\n")
+    standing.save(tmp_path)
+    assert (tmp_path / "envelope.csv").read_text() == "mine\n"
+    one_axle.save(tmp_path / "ours")
+    standing.save(tmp_path / "ours")
+    assert sorted(path.name for path in (tmp_path / "ours").glob("envelope*")) == []
 
 
 def test_a_scene_with_a_vehicle_is_written_and_read_again(tmp_path):

@@ -269,14 +269,15 @@ def search_of(
 ) -> Search:
     """What looking for contacts among these pieces needs, with room for so many pairs."""
     count, size, pair_keys = len(pieces.block), sizes_of(layout, tets), keys(bonded, len(pieces.body))
+    free = free_bodies(layout, bodies, tets)
     return Search(
         group=blocks.group.astype(np.int64)[pieces.block],
         unit=blocks.unit.astype(np.int64)[pieces.block],
         law_of=meetings.law_of,
         bonded=pair_keys,
         alive=np.ones(len(pair_keys), dtype=bool),
-        free=free_bodies(layout, bodies, tets),
-        moves=free_bodies(layout, bodies, tets),
+        free=free,
+        moves=free.copy(),
         mass=masses_of(layout, masses, pieces.block) if tets is None else masses_behind(layout, masses)[pieces.block],
         meshed=tets is not None,
         least=LEAST * size**2,
