@@ -1,6 +1,10 @@
 """Steps that a drive to an accuracy takes, against the steps that a constant rate needs for the same error.
 
-The error is the larger one of those in the peak and in the dissipated energy.
+The error is the larger one of those in the peak and in the dissipated energy. wallette-mode-1 gains least: at its
+sudden crack the drive waits for rest, which is a third of its increments, and before and after it what the drive runs
+ahead goes into the dissipated energy, step for step as at a constant rate. Bounds twice as wide take 0.6 of the steps
+and leave 1.7 % of error in place of 0.8. Before drives waited at sudden cracks it took 20,000 steps, now 54,000, but
+its rows along the crack were no equilibria.
 """
 
 import numpy as np
@@ -11,6 +15,8 @@ from masonry.laboratory import laboratory
 from masonry.scene import load
 
 SHIPPED_DAMPING = 0.8
+FEWER, FEWER_WITH_WAITS = 3.0, 1.4
+"""Times as many steps, at least, that a constant rate takes at an accuracy of 1 %; and in wallette-mode-1."""
 
 
 def error_of(name: str, peak: float, dissipated: float) -> float:
@@ -39,18 +45,19 @@ def run(name: str, **over) -> tuple[dict, int, float]:
 
 @pytest.mark.parametrize("name", list(CONVERGED))
 @pytest.mark.parametrize("accuracy", [0.05, 0.01, 0.003])
-def test_an_accuracy_is_kept_with_a_third_of_the_steps_of_a_constant_rate(name, accuracy, figure):
+def test_an_accuracy_is_kept_with_fewer_steps_than_a_constant_rate(name, accuracy, figure):
     _, steps, error = run(name, drive__accuracy=accuracy)
     label = f"{name} at {accuracy:.1%}"
     figure(f"{label}: error", 100 * error, "%", reach=100 * accuracy)
     figure(f"{label}: steps", steps, "")
     fewer = steps_for(name, SHIPPED_DAMPING, error) / steps
     best = min(steps_for(name, damping, error) for damping in LADDER[name]) / steps
-    limits = {"reach": 3, "aim": 10} if accuracy == 0.01 else {}
+    least = FEWER_WITH_WAITS if name == "wallette-mode-1" else FEWER
+    limits = {"reach": least, "aim": 10} if accuracy == 0.01 else {}
     figure(f"{label}: times fewer steps than the constant rate", fewer, "", **limits, least=True)
     figure(f"{label}: times fewer than at the best damping", best, "")
     assert error <= accuracy, f"{label}: the error is {error:.2%}"
-    assert accuracy != 0.01 or fewer >= 3.0, f"{label}: only {fewer:.1f} times fewer steps than at a constant rate"
+    assert accuracy != 0.01 or fewer >= least, f"{label}: only {fewer:.1f} times fewer steps than at a constant rate"
 
 
 def test_seconds_of_stepping(figure):
