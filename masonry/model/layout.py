@@ -10,6 +10,8 @@ from geometry.polyhedra import measures
 
 KINDS = ("rigid", "affine", "tets")
 DOFS = {"rigid": 6, "affine": 12, "tets": 3}
+ALONG = 1.0 - 1e-9
+"""Cosine of the angle within which a principal axis counts as x, y or z."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,7 @@ class Layout:
     kind       (B,) index into KINDS      local  (B,) number of the block among its kind
     members    per kind, the blocks of it
     volume, centroid, moment  (B,), (B, 3), (B, 3) principal second moments of volume (m5)
-    axes       (B, 3, 3) principal axes in columns
+    axes       (B, 3, 3) principal axes in columns: see `principal_axes`
     mesh       tets, or None
     owner      per kind, (rows,) the block that each row of dofs belongs to: of tets the rows are nodes
     place      per kind, (rows, 3) m, where it is: centroids, or nodes
@@ -85,7 +87,7 @@ class Layout:
 
 
 def lay_out(blocks: Blocks, kind_of_group: dict[str, str], mesh: TetMesh | None) -> Layout:
-    """Sort the blocks by kind. Axes within 1e-9 of x, y, z are taken as such."""
+    """Sort the blocks by kind."""
     by_group = np.array([KINDS.index(kind_of_group[g]) for g in blocks.groups], dtype=np.int64)
     kind = by_group[blocks.group]
     members = {name: np.flatnonzero(kind == k) for k, name in enumerate(KINDS)}
@@ -93,13 +95,33 @@ def lay_out(blocks: Blocks, kind_of_group: dict[str, str], mesh: TetMesh | None)
     for which in members.values():
         local[which] = np.arange(len(which))
     volume, centroid, tensor = measures.moments(blocks)
-    diagonal = np.einsum("bii->bi", tensor)
-    off = np.abs(tensor - np.einsum("bi,ij->bij", diagonal, np.eye(3))).max(axis=(1, 2))
-    moment, axes = np.linalg.eigh(tensor)
-    straight = off <= 1e-9 * diagonal.max(axis=1)
-    moment[straight] = diagonal[straight]
-    axes[straight] = np.eye(3)
+    moment, axes = principal_axes(tensor)
     return Layout(kind, local, members, volume, centroid, moment, axes, mesh)
+
+
+def principal_axes(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Principal second moments (B, 3) and axes in columns (B, 3, 3) of tensors (B, 3, 3).
+
+    Where x, y or z is a principal axis, it is the first, second or third of them: a support may hold the turn about it
+    alone, and a step for large displacement holds turns about x, y, z. Equal moments leave the axes open, and so they
+    are x, y, z where that may be. What is below 1e-9 of the largest moment counts as 0.
+    """
+    diagonal = np.einsum("bii->bi", tensor)
+    beside = np.abs(tensor - np.einsum("bi,ij->bij", diagonal, np.eye(3))).max(axis=2)
+    principal = beside <= 1e-9 * diagonal.max(axis=1, keepdims=True)
+    moment, axes = np.linalg.eigh(tensor)
+    straight = principal.all(axis=1)
+    moment[straight], axes[straight] = diagonal[straight], np.eye(3)
+    for k in range(3):
+        turned = np.flatnonzero(principal[:, k] & ~straight)
+        others = np.delete(np.arange(3), k)
+        in_plane, plane = np.ix_(turned, others), np.ix_(turned, others, others)
+        axes[turned], moment[turned] = np.eye(3), diagonal[turned]
+        moment[in_plane], axes[plane] = np.linalg.eigh(tensor[plane])
+    for b, k in np.argwhere(np.abs(axes).max(axis=2) >= ALONG):
+        own = np.argmax(np.abs(axes[b, k]))
+        axes[b][:, [k, own]], moment[b, [k, own]] = axes[b][:, [own, k]], moment[b, [own, k]]
+    return moment, axes
 
 
 def real_masses(layout: Layout, density: np.ndarray) -> dict[str, np.ndarray]:

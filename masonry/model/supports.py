@@ -8,7 +8,7 @@ from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
 from masonry.errors import SceneError
-from masonry.model.layout import Layout
+from masonry.model.layout import ALONG, Layout
 from masonry.model.loads import no_conditions
 
 
@@ -87,12 +87,11 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
 
 
 def _rotation_dof(layout: Layout, block: int, axis: int, name: str) -> int:
-    """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z: one of its principal axes."""
-    component = np.abs(layout.axes[block][axis])
-    if component.max() < 1.0 - 1e-9:
+    """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z, which has to be a principal axis."""
+    if abs(layout.axes[block, axis, axis]) < ALONG:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
         raise SceneError(
             f"{name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
             f"{'xyz'[axis]} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
-    return 3 + int(np.argmax(component))
+    return 3 + axis

@@ -1,11 +1,14 @@
 """A part that a dead load could move as a whole is refused; one that nothing pushes may float."""
 
+from math import cos, radians, sin
+
+import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from masonry.model.layout import KINDS
+from masonry.model.layout import KINDS, principal_axes
 from masonry.scene import load as load_scene
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 
@@ -108,6 +111,47 @@ def test_cells_of_the_plane_may_turn_in_it_though_their_other_principal_axes_are
     assert held.sum(axis=1).tolist() == [1] * len(units)
     axis = built.model.layout.axes[units].transpose(0, 2, 1)[held]
     assert abs(abs(axis[:, 1]) - 1.0).max() < 1e-9
+
+
+def pressed(size, degrees: float, displacements: str, fix: str):
+    """A block on a slab, both turned about y, pressed down; 1 MPa is 10 kN."""
+    slab, block = (box(name, (0, 0, z), size, "units", k) for k, (name, z) in enumerate((("slab", 0), ("block", 0.05))))
+    turned = f'turned = {{about = "y", angle = "{degrees} deg", through = ["0 m", "0 m", "0 m"]}}'
+    joint = 'normal_stiffness = "100 GPa/m"\nshear_stiffness = "40 GPa/m"\ntan_friction_angle = 0.75'
+    return load(
+        f'displacements = "{displacements}"\nlaw = "friction"\nkinematics = "rigid"\n'
+        + specimen([slab, block], 0.01, more=turned)
+        + tables("material", {"units": 'density = "2000 kg/m^3"'})
+        + tables("contact", {"unit_unit": joint})
+        + listed("support", ['on = "slab"\nfix = "all"', f'on = "block"\nfix = {fix}'])
+        + '[drive]\non = "block"\ndirection = "-z"\ndisplacement = "0.05 mm"\nsteps = 1000\n[solver]\nrows = 10\n'
+    )
+
+
+@pytest.mark.parametrize("displacements", ["small", "large"])
+@pytest.mark.parametrize("size", [(0.1, 0.1, 0.05), (0.1, 0.12, 0.05), (0.05, 0.05, 0.05)])
+def test_a_block_turned_about_y_may_be_held_about_y_whatever_its_plan(displacements, size):
+    """Its moments about the two other axes, or about y and one of them, are equal or not. Below 36.9 degrees and some
+    it sticks, and presses with what both stiffnesses make of the way along them; beyond it slides."""
+    for degrees, slides in ((5, False), (30, False), (40, False), (70, True)):
+        result = laboratory.run(pressed(size, degrees, displacements, '["x", "y", "rotation y"]'))
+        along, across = cos(radians(degrees)), sin(radians(degrees))
+        normal = 100e9 * 5e-5 * along
+        shear = 0.75 * normal if slides else 40e9 * 5e-5 * across
+        expected = size[0] * size[1] * (normal * along + shear * across)
+        assert abs(result.history.rows["force"][-1]) == pytest.approx(expected, rel=2e-3)
+        assert result.summary["force_balance"] < 1e-9
+
+
+def test_principal_axes_are_those_of_space_where_they_may():
+    """One axis alone stays in its place, whatever the order of the moments; three equal moments leave all open."""
+    turn = np.array([[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]])
+    tilt = turn @ turn[[1, 2, 0]][:, [1, 2, 0]]
+    for moments in ([1.0, 2.0, 3.0], [2.0, 1.0, 3.0], [3.0, 3.0, 1.0], [1.0, 3.0, 3.0], [2.0, 2.0, 2.0]):
+        tensors = np.array([matrix @ np.diag(moments) @ matrix.T for matrix in (np.eye(3), turn, tilt)])
+        moment, axes = principal_axes(tensors)
+        assert np.einsum("bij,bj,bkj->bik", axes, moment, axes) == pytest.approx(tensors, abs=1e-12)
+        assert axes[0] == pytest.approx(np.eye(3)) and abs(axes[1, 1, 1]) == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("kinematics", ["rigid", "affine", "tets"])
