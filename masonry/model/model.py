@@ -283,7 +283,7 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     parted = in_rows(np.zeros((count + 1, 3)))
     contacts = model.contacts._replace(sides=aligned(rows), u=parted, area=aligned(np.where(dry, 0.0, joints.area)))
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
-    near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded, model.drives)
+    near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded, model.drives, model.moved_supports)
     if near.rules.rise is not None:
         near.rules.rise[...] *= [model.dt, model.dt**2, 1.0 / model.dt]
     frames = near.motion.frame if members is None else near.motion.frame.copy()

@@ -146,6 +146,26 @@ def test_supports_that_move_apart_stretch_what_stands_between_them(tmp_path):
     assert float(result.curve["bar"].iloc[-1]) == pytest.approx(5e-5, rel=1e-3)
 
 
+@pytest.mark.parametrize("displacements", ["small", "large"])
+@pytest.mark.parametrize("moved", [("far",), ("far", "near")])
+def test_supports_that_move_towards_each_other_press_each_other(displacements, moved):
+    """kn times the way between them, though nothing here is free; one of them rests, or each has its own motion."""
+    boxes = [scenes.box(name, (k, 0, 0), (1, 1, 1), f"{name}s", k) for k, name in enumerate(("near", "far"))]
+    text = f'displacements = "{displacements}"\nlaw = "friction"\n' + scenes.specimen(boxes, 1.0)
+    text += "".join(f'[material.{name}s]\ndensity = "2000 kg/m^3"\n' for name in ("near", "far"))
+    text += (
+        '[contact.fars_nears]\nnormal_stiffness = "1 GPa/m"\nshear_stiffness = "1 GPa/m"\ntan_friction_angle = 0.6\n'
+    )
+    text += "".join(f'[[support]]\non = "{name}"\nfix = "all"\n' for name in ("near", "far"))
+    for name in moved:
+        way = "0.05 mm" if name == "near" else "-0.05 mm"
+        text += f'[[ground]]\non = "{name}"\nas = "base"\nquantity = "displacement"\nduration = "0.5 s"\n'
+        text += f'x = "{way} * (1 - cos(2 pi t / 1 s))"\n'
+    result = masonry.run(scenes.load(text + '[solver]\ntime_step = "1e-4 s"\nrows = 20\n'))
+    presses = result.summary["reactions"]["end"]["support.0"]["force_n"]
+    assert presses == pytest.approx([1e9 * 1e-4 * len(moved), 0.0, 0.0], rel=1e-6)
+
+
 def test_a_floor_reaches_as_far_as_the_ground_moves_unless_it_has_a_size():
     away = {"ground.x": "0.5 g * sin(2 pi t / 2 s)", "ground.made": None, "ground.duration": "2 s", "ground.peak": None}
     for floor, duration, reach in (

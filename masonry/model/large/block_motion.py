@@ -4,13 +4,14 @@ import numpy as np
 
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
+from masonry.kernels.shaking import MovedSupports
 from masonry.model.body_arrays import Bodies, whole_rows
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
 from masonry.patches.arrays import BlockMotion
 
-Drives = tuple[np.ndarray | None, ...]
-"""By kind of bodies (K, 2) row and number of the dofs that the drive moves; None without."""
+Dofs = tuple[np.ndarray | None, ...]
+"""By kind of bodies (K, 2) row and number of some dofs, and what else is known of each; None without."""
 
 
 def outer_tets(layout: Layout) -> SurfaceTets | None:
@@ -73,16 +74,32 @@ def free_bodies(layout: Layout, bodies: Bodies, tets: SurfaceTets | None) -> np.
     return np.concatenate([free, bodies.tets.dt_over_mass.any(axis=1)[tets.node].any(axis=1)])
 
 
-def driven_bodies(layout: Layout, drives: Drives, tets: SurfaceTets | None) -> np.ndarray:
-    """(N,) whether the drive moves a body, or a node of it."""
-    driven = np.zeros(len(layout.kind), dtype=bool)
-    for kind, dofs in zip(KINDS, drives, strict=True):
-        if dofs is not None and not KIND[kind].nodal:
-            driven[layout.members[kind][dofs[:, 0]]] = True
+def bodies_with(layout: Layout, dofs: Dofs, tets: SurfaceTets | None) -> np.ndarray:
+    """(N,) whether a body, or a node of it, has some of these dofs: of those that the drive moves, whether it does."""
+    moved = np.zeros(len(layout.kind), dtype=bool)
+    for kind, own in zip(KINDS, dofs, strict=True):
+        if own is not None and not KIND[kind].nodal:
+            moved[layout.members[kind][own[:, 0]]] = True
     if tets is None:
-        return driven
-    nodes = drives[KINDS.index("tets")]
-    return np.concatenate([driven, np.isin(tets.node, np.zeros(0) if nodes is None else nodes[:, 0]).any(axis=1)])
+        return moved
+    nodes = dofs[KINDS.index("tets")]
+    return np.concatenate([moved, np.isin(tets.node, np.zeros(0) if nodes is None else nodes[:, 0]).any(axis=1)])
+
+
+def apart_on_ground(
+    layout: Layout, supports: MovedSupports | None, free: np.ndarray, tets: SurfaceTets | None
+) -> np.ndarray:
+    """(N,) whether the ground moves a body otherwise than another one that is held: by other motions, or that rests."""
+    if supports is None:
+        return np.zeros(len(free), dtype=bool)
+    moved_by = np.array(
+        [
+            bodies_with(layout, tuple(None if own is None else own[own[:, 2] == k] for own in supports.dofs), tets)
+            for k in range(supports.velocity.shape[1])
+        ]
+    )
+    held = moved_by[:, ~free]
+    return np.asarray((held != held[:, :1]).any() & moved_by.any(axis=0))
 
 
 def sizes_of(layout: Layout, tets: SurfaceTets | None) -> np.ndarray:

@@ -19,12 +19,14 @@ from masonry.detection.tet_pieces import FACES, SurfaceTets
 from masonry.kernels.bars import Bars
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
+from masonry.kernels.shaking import MovedSupports
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.body_arrays import Bodies, in_rows
 from masonry.model.large.block_motion import (
-    Drives,
-    driven_bodies,
+    Dofs,
+    apart_on_ground,
+    bodies_with,
     free_bodies,
     masses_behind,
     masses_of,
@@ -223,7 +225,8 @@ def near_of(
     masses: dict[str, np.ndarray],
     meetings: Meetings,
     bonded: np.ndarray,
-    drives: Drives,
+    drives: Dofs,
+    moved_supports: MovedSupports | None,
 ) -> tuple[Near, Members | None]:
     """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
@@ -233,7 +236,8 @@ def near_of(
     pieces = pieces_of(blocks, tets, None if layout.mesh is None else layout.mesh.nodes)
     most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
     search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
-    search.moves[driven_bodies(layout, drives, tets)] = True
+    search.moves[bodies_with(layout, drives, tets)] = True
+    search.moves[apart_on_ground(layout, moved_supports, search.free, tets)] = True
     crushed = (
         crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count], tets is not None) if meetings.crushes else None
     )
