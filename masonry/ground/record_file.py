@@ -1,9 +1,11 @@
 """Records of the ground from files: times and a column a component, under a line of names, or numbers alone.
 
-Columns are separated by commas, or by semicolons, tabs or blanks; a comma in a number is its decimal point then. Files
-of PEER (.AT2) hold one component, line by line, and say the time from sample to sample above it.
+Columns are separated by commas, or by semicolons, tabs or blanks; a comma in a number is its decimal point then. Cells
+may stand in quotes, and separators behind the last of them. Files of PEER (.AT2) hold one component, line by line, and
+say the time from sample to sample above it.
 """
 
+import csv
 import re
 from dataclasses import dataclass
 from decimal import Decimal
@@ -25,19 +27,22 @@ ODD_STEP = 1e-3
 """Of the step: how far a time may lie from equal steps."""
 ROUNDED, MOST_ROUNDED = 0.51, 0.2
 """Of the last digit that is printed: how far it may lie besides, but no more than a share of the step."""
+LOOKED_AT = 1000
+"""Lines that are looked at to find out what separates columns."""
 SHOWN = 8
 """Names of columns that a message shows."""
 SEPARATORS = (";", "\t", None, ",")
 """Of columns, in the order in which they are looked for; None stands for blanks."""
 _IN_BRACKETS = re.compile(r"\s*[(\[]\s*([^)\]]*)[)\]]\s*$")
-_NAMED = re.compile(r"\S+(?:\s+[(\[][^)\]]*[)\]])?")
+_NAMED = re.compile(r"\"[^\"]*\"|\S+(?:\s+[(\[][^)\]]*[)\]])?")
 _PEER = re.compile(
-    r"NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?)|(\d+)\s+([\d.]+)\s+NPTS\s*,\s*DT", re.IGNORECASE
+    r"NPTS\s*=\s*(\d+)(?:\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?))?|(\d+)(?:\s+(\d*\.\d*))?\s+NPTS", re.IGNORECASE
 )
 _PEER_UNIT = re.compile(r"UNITS OF ([A-Z/0-9]+)", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d{2,}")
 _PER_SECOND = {"acceleration": "m/s^2", "velocity": "m/s", "displacement": "m"}
 NO_TIMES = "say the time from sample to sample, step = '0.01 s'"
+NO_THOUSANDS = "write nothing between thousands, and the decimal point alike in all numbers"
 GRAVITIES = {"g", "g's", "gs", "gn", "g_n", "G"}
 """What people write for the acceleration of gravity, 9.80665 m/s2."""
 
@@ -170,16 +175,34 @@ def read_record(path: Path) -> RecordFile:
     separator, first = _first_numbers(name, lines)
     heads = lines[:first]
     if (match := _PEER.search("\n".join(heads))) is not None:
-        return _of_peer(name, heads, lines[first:], int(match[1] or match[3]), float(match[2] or match[4]))
-    width = len(_cells(lines[first], separator))
-    above = [_cells(line.strip().lstrip("#%"), separator) for line in heads if line.strip()]
+        step = match[2] or match[4]
+        return _of_peer(name, heads, lines[first:], int(match[1] or match[3]), None if step is None else float(step))
+    rows = _rows(lines[first:], separator)
+    above = _rows([line.strip().lstrip("#%") for line in heads], separator)
+    if above and _is_damaged(above[-1], len(rows[0])):
+        rows.insert(0, above.pop())
+    columns = _columns(name, above, rows, separator, bool(heads) and heads[-1].lstrip().startswith(("#", "%")))
+    return _with_enough(RecordFile(name, tuple(columns), _numbers(name, rows, separator, len(columns))))
+
+
+def _is_damaged(cells: list[str], width: int) -> bool:
+    """Whether these are numbers, of which one is none, and no names."""
+    return len(cells) == width and (_is_number(cells[0]) or any(map(_is_star, cells)))
+
+
+def _columns(
+    name: str, above: list[list[str]], rows: list[list[str]], separator: str | None, remark: bool
+) -> list[str]:
+    """Names of the columns, from the lines above the numbers; `remark`: whether the last of these need not be names."""
+    width = len(rows[0])
     header = _names_and_units([cells for cells in above[-2:] if len(cells) == width])
-    if header is None and above and width > 1 and separator and not heads[-1].lstrip().startswith(("#", "%")):
+    if header is not None or not above:
+        return header or [f"column {k + 1}" for k in range(width)]
+    if separator == "," and len(above[-1]) == 1 and all(len(cells) == width == 2 for cells in rows):
+        _refuse_decimal_comma(name, rows)
+    if width > 1 and separator and not remark:
         raise SceneError(f"{name}: the line above the numbers names {len(above[-1])} columns, the numbers have {width}")
-    columns = [f"column {k + 1}" for k in range(width)]
-    if header is not None:
-        columns = [column.strip("\"'") for column in header]
-    return _with_enough(RecordFile(name, tuple(columns), _numbers(name, lines[first:], separator, width)))
+    return [f"column {k + 1}" for k in range(width)]
 
 
 def _with_enough(record: RecordFile) -> RecordFile:
@@ -188,11 +211,12 @@ def _with_enough(record: RecordFile) -> RecordFile:
     return record
 
 
-def _of_peer(name: str, heads: list[str], lines: list[str], count: int, step: float) -> RecordFile:
-    """The one component of a file of PEER, whose numbers go on from line to line, and are as many as it says."""
+def _of_peer(name: str, heads: list[str], lines: list[str], count: int, step: float | None) -> RecordFile:
+    """The one component of a file of PEER, whose numbers go on from line to line, and are as many as it says; a step of
+    None where it says none."""
     cells = " ".join(lines).split()
     wrong = next((cell for cell in cells if not _is_finite(cell)), None)
-    if wrong is not None or step <= 0.0:
+    if wrong is not None or (step is not None and step <= 0.0):
         raise SceneError(f"{name}: '{visible(str(wrong or step)[:40])}' is no number of a file of PEER")
     if len(cells) != count:
         raise SceneError(
@@ -205,25 +229,54 @@ def _of_peer(name: str, heads: list[str], lines: list[str], count: int, step: fl
 
 
 def _first_numbers(name: str, lines: list[str]) -> tuple[str | None, int]:
-    """What separates the columns, and the number of the first line of numbers: of two or more, if there is one."""
+    """What separates the columns, as it does in most of the first lines, and the number of the first line of numbers:
+    of two or more, if there is one."""
     for fewest in (2, 1):
+        separator = max(SEPARATORS, key=lambda one: _lines_of_numbers(lines[:LOOKED_AT], one, fewest))
         for k, line in enumerate(lines):
-            for separator in SEPARATORS:
-                cells = [_point(cell, separator) for cell in _cells(line, separator)]
-                numbers = [_is_finite(cell) for cell in (cells if separator is None else cells[:1])]
-                if len(cells) >= fewest and all(numbers):
-                    return separator, k
+            cells = _cells(line, separator)
+            if len(cells) >= fewest and all(map(_is_number, cells if separator is None else cells[:1])):
+                return separator, k
     raise SceneError(f"{name} has no line of numbers")
 
 
+def _lines_of_numbers(lines: list[str], separator: str | None, fewest: int) -> tuple[int, int]:
+    """How many lines have nothing but numbers in so many columns or more, and how many begin with one."""
+    rows = [cells for line in lines if len(cells := _cells(line, separator)) >= fewest]
+    return sum(all(map(_is_number, cells)) for cells in rows), sum(_is_number(cells[0]) for cells in rows)
+
+
+def _rows(lines: list[str], separator: str | None) -> list[list[str]]:
+    """Cells of lines in which there is something, without empty ones behind the last, where all lines have them."""
+    rows = [cells for line in lines if any(cells := _cells(line, separator))]
+    while rows and all(len(cells) > 1 and not cells[-1] for cells in rows):
+        rows = [cells[:-1] for cells in rows]
+    return rows
+
+
 def _cells(line: str, separator: str | None) -> list[str]:
-    """Of a line; among blanks a unit in brackets belongs to the name before it."""
-    return _NAMED.findall(line) if separator is None else [cell.strip() for cell in line.split(separator)]
+    """Of a line, without quotes; among blanks a unit in brackets belongs to the name before it."""
+    if separator is None:
+        cells = _NAMED.findall(line)
+    elif '"' in line:
+        cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    else:
+        cells = line.split(separator)
+    return [cell.strip().strip("\"'").strip() for cell in cells]
 
 
-def _point(cell: str, separator: str | None) -> str:
+def _point(cell: str) -> str:
     """A number with a decimal point; a comma at its end stands between two of them."""
-    return cell if separator == "," or cell.endswith(",") else cell.replace(",", ".")
+    return cell if cell.endswith(",") else cell.replace(",", ".")
+
+
+def _is_number(cell: str) -> bool:
+    return _is_finite(_point(cell))
+
+
+def _is_star(cell: str) -> bool:
+    """Whether a number was too long for its place."""
+    return bool(cell) and not cell.strip("*")
 
 
 def _names_and_units(above: list[list[str]]) -> list[str] | None:
@@ -250,31 +303,48 @@ def _is_unit(text: str) -> bool:
     return False
 
 
-def _numbers(name: str, lines: list[str], separator: str | None, width: int) -> np.ndarray:
+def _numbers(name: str, rows: list[list[str]], separator: str | None, width: int) -> np.ndarray:
     """(n, width) finite numbers."""
-    lines = [line for line in lines if line.strip()]
-    if separator == "," and all(_DECIMAL_COMMA.fullmatch(line.strip()) for line in lines):
-        raise SceneError(
-            f"{name}: '{visible(lines[0].strip()[:40])}' may be one number with a decimal comma: write the decimal "
-            "point as '.', or separate columns by ';'"
-        )
-    rows = [[_point(cell, separator) for cell in _cells(line, separator)] for line in lines]
+    if separator == "," and all(map(_DECIMAL_COMMA.fullmatch, map(",".join, rows))):
+        _refuse_decimal_comma(name, rows)
     try:
-        values = np.array(rows, dtype=float)
-        if values.shape == (len(rows), width) and np.isfinite(values).all():
-            return values
+        values = np.array([[_point(cell) for cell in cells] for cells in rows], dtype=float)
     except ValueError:
-        pass
+        values = np.full(1, np.nan)
+    if values.shape == (len(rows), width) and np.isfinite(values).all():
+        _require_one_point(name, rows)
+        return values
     for k, cells in enumerate(rows):
+        where = f"{name}, row {k + 1} of the numbers"
         if len(cells) != width:
-            raise SceneError(f"{name}, row {k + 1} of the numbers: {len(cells)} columns, where the first has {width}")
+            raise SceneError(f"{where}: {len(cells)} columns, where the first has {width}")
         for cell in cells:
-            if not _is_finite(cell):
+            shown = visible(repr(cell[:40]))
+            if "." in cell and "," in cell and _is_finite(re.sub("[.,]", "", cell)):
+                raise SceneError(f"{where}: {shown} has a point and a comma: {NO_THOUSANDS}")
+            if not _is_number(cell):
                 raise SceneError(
-                    f"{name}, row {k + 1} of the numbers: {visible(repr(cell[:40]))} is not a finite number; "
-                    "fill the gap, or leave out the rows before or after it"
+                    f"{where}: {shown} is not a finite number; fill the gap, or leave out the rows before or after it"
                 )
     raise SceneError(f"{name}: its numbers cannot be read")
+
+
+def _refuse_decimal_comma(name: str, rows: list[list[str]]) -> None:
+    raise SceneError(
+        f"{name}: '{visible(','.join(rows[0])[:40])}' may be one number with a decimal comma: write the decimal point "
+        "as '.', or separate columns by ';'"
+    )
+
+
+def _require_one_point(name: str, rows: list[list[str]]) -> None:
+    """SceneError where some numbers have a point and others a comma: one of them may stand between thousands."""
+    comma = next((cell for cells in rows for cell in cells if "," in cell), None)
+    point = None if comma is None else next((cell for cells in rows for cell in cells if "." in cell), None)
+    if point is not None:
+        raise SceneError(
+            f"{name} has '{visible(point[:40])}' with a point and '{visible(str(comma)[:40])}' with a comma: "
+            f"{NO_THOUSANDS}"
+        )
 
 
 def _is_finite(cell: str) -> bool:

@@ -22,6 +22,7 @@ from masonry.runtime.progress import duration
 from masonry.runtime.record import Record
 from masonry.runtime.tables import Rows, aligned, html_table
 
+NO_FORCE = "no force was measured at them"
 FEW = 6
 TOLD = 0.1
 """Share of the work of the drive from which on the work of a dead load is printed."""
@@ -195,7 +196,7 @@ def _slow_rows(summary: Summary) -> Rows:
     """By what it can be seen whether the test was slow enough to be static."""
     apart, kinetic = summary.reaction_mismatch_max, summary.kinetic_over_internal_max
     return [
-        ("drive and support", [f"differ by at most {number_text(apart, 100.0, '% of the peak')}"]),
+        ("drive and support", [NO_FORCE if apart is None else f"differ by at most {100.0 * apart:.4g} % of the peak"]),
         ("kinetic energy", [f"at most {_share(kinetic, 4)} of the internal energy"]),
     ]
 

@@ -152,7 +152,7 @@ def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers)
     ("summary", "numbers", "words"),
     [
         (DRIVEN, {"energy_imbalance": None}, "the energy balance is not known"),
-        (DRIVEN, {"reaction_mismatch_max": None}, "by how much the forces at drive and support differ is not known"),
+        (DRIVEN, {"reaction_mismatch_max": None}, "no force at drive or support was measured"),
         (DRIVEN, {"kinetic_over_internal_max": None}, "the kinetic energy is not known"),
         (DRIVEN, {"interrupted": True}, "the run was interrupted"),
         (DRIVEN, {"stopped": "unstable"}, "the run was stopped"),

@@ -74,6 +74,8 @@ def test_an_accuracy_takes_the_place_of_none():
     assert load(ARCH, {"limit.accuracy": "1 %"}).limit.run_accuracy == 0.01
     with pytest.raises(SceneError, match=r"^limit.accuracy: .*; or 'none', by which runs leave this load out"):
         load(ARCH, {"limit.accuracy": "nothing"})
+    with pytest.raises(SceneError, match="^limit.accuracy: 'None' is not allowed; did you mean 'none', by which runs"):
+        load(ARCH, {"limit.accuracy": "None"})
     with pytest.raises(SceneError, match=r"^limit.up_to: a run whose load grows ends there"):
         load(ARCH, {"limit.up_to": 3})
 

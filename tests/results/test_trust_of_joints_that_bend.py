@@ -18,6 +18,8 @@ from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
 from masonry.scene import load
+from tests.scenes import box, listed, specimen, tables
+from tests.scenes import load as scenes_load
 from verification import scene_runs
 from verification.studies import points_of_joints_that_bend as study
 from verification.studies.mortared_walls import MortaredWall, proposed, said, walls
@@ -190,6 +192,19 @@ def test_a_joint_that_is_pulled_open_evenly_and_shut_again_has_not_bent():
     summary = laboratory.run(load("couplet", {**pulled, "confinement": "0 MPa", "drive.accuracy": "5 %"})).summary
     assert summary["broken_area_m2"]["unit_unit"] > 0.0 > summary["lowest_stress_pa"]
     assert "few_points" not in names(summary)
+
+
+def test_a_joint_whose_blocks_are_held_against_turning_does_not_bend():
+    """Pulled open and pressed, in large displacement, where rounding turns it by next to nothing."""
+    boxes = [box(f"b{k}", (0, 0, 0.05 * k), (0.1, 0.1, 0.05), "units", k) for k in range(2)]
+    text = 'displacements = "large"\nlaw = "linear"\nkinematics = "rigid"\n' + specimen(boxes, 0.01)
+    text += tables("material", {"units": 'density = "2000 kg/m^3"'})
+    joint = 'normal_stiffness = "100 GPa/m"\nshear_stiffness = "40 GPa/m"\ntensile_strength = "0.2 MPa"\n'
+    joint += 'cohesion = "0.3 MPa"\ntan_friction_angle = 0.75\nfracture_energy_mode_1 = "10 N/m"\n'
+    text += tables("contact", {"default": joint + 'fracture_energy_mode_2 = "50 N/m"'})
+    text += listed("support", ['on = "b0"\nfix = "all"', 'on = "b1"\nfix = ["x", "y", "rotation"]'])
+    text += '[drive]\non = "b1"\ndirection = "-z"\nhistory = ["-0.5 mm", "0.05 mm"]\naccuracy = 0.01\n'
+    assert "few_points" not in names(laboratory.run(scenes_load(text)).summary)
 
 
 @pytest.mark.parametrize("name", ["wall with a door", "slender pier", "block, pressed", "strip, pushed at its middle"])

@@ -45,6 +45,10 @@ def _accuracy(value: Any) -> Any:
     """A share, a percentage, or the word by which runs leave the load out."""
     if value == LEFT_OUT:
         return value
+    if isinstance(value, str) and value.strip().lower() == LEFT_OUT:
+        raise ValueError(
+            f"{value[:40]!r} is not allowed; did you mean '{LEFT_OUT}', by which runs leave this load out?"
+        )
     try:
         return accuracy_share(value)
     except ValueError as error:

@@ -14,5 +14,5 @@ REACTION_MISMATCH = Criterion(
     "{limit:g})",
     advice="load more slowly: ask for a smaller accuracy, or lower the rate",
     asked_of=acts_slowly("reaction_mismatch_max"),
-    unknown="by how much the forces at drive and support differ is not known",
+    unknown="no force at drive or support was measured: the drive met nothing, or the run ended before it did",
 )

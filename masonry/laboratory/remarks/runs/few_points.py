@@ -23,6 +23,8 @@ LITTLE, FIRST = 1e-4, 10
 are tried."""
 FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
+TURNED = 1e-3
+"""Times the same opening: a joint that has never opened further at one edge than at the other does not bend."""
 ROWS = (3, 4, 5, 6, 8, 10, 12, 16, 20, 30)
 """Numbers of points along an edge, of which the least is proposed from which on all do."""
 TWICE = 1.5
@@ -107,7 +109,7 @@ def _shares(torn: np.ndarray, now: Look, later: Look) -> np.ndarray:
 def _bent(
     assembly: Assembly, faces: Faces, now: Look, face: int, torn: bool, turn: float, shares: np.ndarray
 ) -> Bent | None:
-    """A joint face at the peak; None where it neither tore nor bears more than its elastic moment."""
+    """A joint face at the peak; None where it never turned, or neither tore nor bears more than its elastic moment."""
     length = float(np.linalg.norm(now.turn[face]))
     if length == 0.0:
         return None
@@ -117,11 +119,12 @@ def _bent(
     parameters, joint = law_of(assembly, faces, face)
     limit = float(joint.tensile_strength or 0.0)
     force, moment = float(now.force[face]), abs(float(now.moment[face] @ along))
-    if not torn and moment < depth_of(corners @ along) / 6.0 * (limit * faces.area[face] - force):
+    depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
+    if turn * depth <= TURNED * tears_at or (not torn and moment < depth / 6.0 * (limit * faces.area[face] - force)):
         return None
     many = spread(corners, along, np.cross(normal, along), middle)
     if not torn:
-        turn = max(turn, FURTHER * limit / (faces.stiffness[face] * many.depth))
+        turn = max(turn, FURTHER * tears_at / many.depth)
     law = envelope(parameters, joint, 2.0 * turn * many.depth)
     bears = strength(many, law, force, moment, turn)
     if bears <= 0.0 or (not torn and moment <= bears):
