@@ -73,6 +73,9 @@ class Configuration(Protocol):
         """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
         they are."""
 
+    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+        """The most plastic closing of two blocks that meet by patches, likewise."""
+
     def crushed(self) -> np.ndarray | None:
         """(C,) m, plastic closing of the joints now, by bonds and patches; None where crushing is not modelled."""
 

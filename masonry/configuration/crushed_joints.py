@@ -53,6 +53,23 @@ class CrushedJoints:
             closing[beside] += grown[np.argmin(np.einsum("ckj,ckj->ck", apart, apart), axis=1)]
 
 
+def most_crushed(near: Near, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+    """The most plastic closing of a patch, over the widths (B,) m of the thinner of its two blocks, and which they
+    are."""
+    pairs, points = near.pairs, near.points
+    if points.crushed is None:
+        return 0.0, (0, 0)
+    p = np.flatnonzero(pairs.slot[: pairs.number[0]] >= 0)
+    blocks, s = near.pieces.block[pairs.body[p]], pairs.slot[p]
+    closing = points.crushed[:, :, CLOSING].reshape(len(points.crushed), -1)[s]
+    share = np.where(np.arange(closing.shape[1]) < points.number[s][:, None], closing, 0.0).max(axis=1, initial=0.0)
+    share /= width[blocks].min(axis=1)
+    if not share.any():
+        return 0.0, (0, 0)
+    worst = int(share.argmax())
+    return float(share[worst]), (int(blocks[worst, 0]), int(blocks[worst, 1]))
+
+
 def cells_of_joints(joints: Joints, near: Near) -> np.ndarray:
     """(2, C) the cell of the face on each side of a joint in which a contact point lies; -1 where there is none."""
     faces, pieces = near.crushed, near.pieces

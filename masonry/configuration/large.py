@@ -15,7 +15,7 @@ from masonry.configuration.contacts import (
     sums_of_blocks,
     taken_by_dashpots,
 )
-from masonry.configuration.crushed_joints import CrushedJoints
+from masonry.configuration.crushed_joints import CrushedJoints, most_crushed
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
@@ -180,6 +180,9 @@ class LargeDisplacement:
         self._overlap(width)()
         a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
         return float(self.deepest_overlap[0]), (int(a), int(b))
+
+    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+        return most_crushed(self.parts.near, width)
 
     def crushed(self) -> np.ndarray | None:
         return None if self._crushed_joints is None else self._crushed_joints.closing()

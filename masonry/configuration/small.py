@@ -114,6 +114,9 @@ class SmallDisplacement:
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         return 0.0, (0, 0)
 
+    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
+        return 0.0, (0, 0)
+
     def crushed(self) -> np.ndarray | None:
         return None if self.model.state.crushed is None else np.array(self.model.state.crushed[:, 0])
 

@@ -12,7 +12,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.errors import Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.openings import closed, require_bearing, thinner
+from masonry.monitors.openings import CRUSHED, closed, require_bearing, thinner
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
@@ -88,7 +88,14 @@ class Collapse(Observer):
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:
-        """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half."""
+        """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half, and
+        where they crushed by more than a tenth."""
+        share, pair = self.configuration.most_crushed(self.width)
+        if share > CRUSHED:
+            raise Stopped(
+                f"step {step}: {model.two_blocks(*pair)} have crushed where they meet by {share:.3g} of the width of "
+                "the thinner one: what is left of the strength does not bear what presses it"
+            )
         overlap, pair = self.configuration.deepest(self.width)
         if overlap > THROUGH:
             both = model.two_blocks(*pair)

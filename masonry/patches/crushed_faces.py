@@ -46,21 +46,23 @@ class CrushedFaces(NamedTuple):
     begun: np.ndarray
 
 
-def crushed_faces(pieces: ConvexPieces, size: np.ndarray, meshed: bool) -> CrushedFaces:
-    """All faces of some pieces, of which nothing is crushed; size (B,) m of the blocks."""
+def crushed_faces(pieces: ConvexPieces, size: np.ndarray) -> CrushedFaces:
+    """All faces of some pieces, of which nothing is crushed; size (B,) m of the blocks, behind which come bodies that
+    are tets of a mesh."""
     count, cell = len(pieces.normal), float(np.median(size)) / CELLS
+    meshed = np.repeat(pieces.body, np.diff(pieces.face_start)) >= len(size)
     corner, along, across = (np.zeros((count, 3)) for _ in range(3))
     number = np.full((count, 2), OF_TETS, dtype=np.int64)
     for f in range(count):
         loop = pieces.vertex[pieces.loop[pieces.loop_start[f] : pieces.loop_start[f + 1]]]
         edge = np.roll(loop, -1, axis=0) - loop
-        size = np.linalg.norm(edge, axis=1)
-        one = edge[np.argmax(size >= (1.0 - 1e-9) * size.max())] / size.max()
+        length = np.linalg.norm(edge, axis=1)
+        one = edge[np.argmax(length >= (1.0 - 1e-9) * length.max())] / length.max()
         two = np.cross(pieces.normal[f], one)
         u, v = loop @ one, loop @ two
         corner[f] = u.min() * one + v.min() * two + (loop[0] @ pieces.normal[f]) * pieces.normal[f]
         extent = np.array([np.ptp(u), np.ptp(v)])
-        if not meshed:
+        if not meshed[f]:
             number[f] = np.clip(np.ceil(extent / cell), FEWEST, MOST)
         along[f], across[f] = one * number[f, 0] / extent[0], two * number[f, 1] / extent[1]
     first = np.append(0, np.cumsum(number.prod(axis=1)))

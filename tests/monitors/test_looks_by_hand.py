@@ -228,6 +228,18 @@ def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monke
     assert widths[0] == pytest.approx([0.1, 0.1])
 
 
+@pytest.mark.parametrize(("share", "stopped"), EITHER_SIDE)
+def test_patches_that_crushed_by_a_tenth_of_the_thinner_block_end_the_run(share, stopped, monkeypatch):
+    model = fallen().model
+    monkeypatch.setattr(large.LargeDisplacement, "most_crushed", lambda *_: (share * 0.1, (0, 1)))
+    look = Collapse(model)
+    if stopped:
+        with pytest.raises(Stopped, match="crushed where they meet by 0.101 of the width of the thinner one"):
+            look.look(model, seen(model), 11)
+    else:
+        assert look.look(model, seen(model), 11)["overlap"] >= 0.0
+
+
 @pytest.mark.parametrize(("least", "told"), [(0.808, False), (0.792, True)])
 def test_a_block_that_is_squeezed_below_eight_tenths_is_told(least, told):
     look = LargestDeformation(1.5)

@@ -238,9 +238,7 @@ def near_of(
     search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
     search.moves[bodies_with(layout, drives, tets)] = True
     search.moves[apart_on_ground(layout, moved_supports, search.free, tets)] = True
-    crushed = (
-        crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count], tets is not None) if meetings.crushes else None
-    )
+    crushed = crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count]) if meetings.crushes else None
     motion, members = motion_of(layout, bodies, pieces.reach, tets)
     return Near(
         pieces=pieces,

@@ -233,6 +233,25 @@ def test_a_frame_shows_what_the_patches_crushed_where_the_joint_was():
         assert not closing[x < 0.0].any()
 
 
+def test_faces_beside_a_mesh_have_cells_of_their_own_size():
+    boxes = [slab(4.0), box("block", (-0.5 * LENGTH, -0.5 * DEPTH, 0.0), (LENGTH, DEPTH, HEIGHT), "meshed", 1)]
+    joint = f'compressive_strength = "{STRENGTH!r} Pa"\n{CUT_OFF}'
+    scene = dry(boxes, joint=joint).with_(
+        {
+            **{f"contact.default.{kind}_stiffness": "10 GPa/m" for kind in ("normal", "shear")},
+            **{"contact.default.tan_friction_angle": 0.6, "contact.default.crushing": "cut-off"},
+            "contact.default.compressive_strength": "5 MPa",
+            "kinematics": {"default": "rigid", "meshed": "tets"},
+            "specimen.mesh_size": "0.4 m",
+            "material.meshed": {"density": "2000 kg/m^3", "young_modulus": "5 GPa", "poisson_ratio": 0.2},
+        }
+    )
+    near = assemble(scene).model.large.near
+    number = near.crushed.number[np.isclose(near.pieces.normal[:, 2], 1.0) & (near.pieces.normal[:, 0] == 0.0)]
+    assert number[0].tolist() == [138, 35], "of 29 mm, a twentieth of the size of most blocks"
+    assert np.all(near.crushed.number[6:] == 4), "of triangles"
+
+
 def slide(joint: Joint, start: float, end: float) -> None:
     """Move the block along the ground, with as many looks as a run takes."""
     for x in np.linspace(start, end, 200):
@@ -246,6 +265,8 @@ def test_half_of_it_goes_along_with_the_block_and_half_stays_on_the_ground():
         joint.press(0.0, down)
     assert joint.closings == pytest.approx(np.full(20, 2e-3 - STRENGTH / KN), rel=1e-6)
     whole = joint.closings[0]
+    share, blocks = configuration_of(joint.model).most_crushed(np.array([0.1, DEPTH]))
+    assert (share, sorted(blocks)) == (pytest.approx(whole / 0.1), [0, 1])
     slide(joint, 0.0, 0.5 * LENGTH)
     s = joint.near.pairs.slot[0]
     x = joint.near.points.quads[s, :, 0].ravel()[: joint.near.points.number[s]]  # from the block's centroid
