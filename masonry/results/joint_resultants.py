@@ -5,7 +5,7 @@ A joint is all contact of two units in one plane. Blocks of one unit (its divisi
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -63,41 +63,79 @@ def resultants(blocks: Blocks, joints: Joints, standings: Mapping[str, "Standing
     are nan where no normal force acts.
     """
     between = unit_joints(blocks, joints)
-    rows: dict[str, list[object]] = {"moment": [], **{name: [] for name in COLUMNS}}
-    for moment, standing in standings.items():
-        for j, units in enumerate(between.units):
-            contacts = between.contact[between.start[j] : between.start[j + 1]]
-            row = _row(joints, contacts, between.sign[contacts], standing.force)
-            for name, value in zip(rows, [moment, *units, *row], strict=True):
-                rows[name].append(value)
-    return {name: np.array(values) for name, values in rows.items()}
+    count = len(between.units)
+    if not count:
+        return {name: np.zeros(0) for name in ("moment", *COLUMNS)}
+    faces = faces_of(joints, between)
+    tables = [_columns(faces, between, standing.force) for standing in standings.values()]
+    columns = {name: np.concatenate([table[name] for table in tables]) for name in COLUMNS if tables}
+    return {"moment": np.repeat(list(standings), count)} | columns
 
 
-def _row(joints: Joints, contacts: np.ndarray, sign: np.ndarray, forces: np.ndarray) -> list[float]:
-    """Area, normal, force, its parts, its place and eccentricity."""
-    area, point = joints.area[contacts], joints.point[contacts]
-    normal = sign[0] * joints.normal[contacts[0]]
-    force = sign[:, None] * forces[contacts]
-    along = force @ normal
-    total, pressing = force.sum(axis=0), float(along.sum())
-    shear = float(np.linalg.norm(total - pressing * normal))
-    place, eccentricity = np.full(3, np.nan), np.nan
-    if abs(pressing) > LEAST * max(np.abs(force).sum(), 1e-300):
-        place = (along @ point) / pressing
-        eccentricity = _eccentricity(joints, contacts, place - (area @ point) / area.sum())
-    return [float(area.sum()), *normal, *total, pressing, shear, *place, eccentricity]
+class JointFaces(NamedTuple):
+    """The faces of J joints: their contacts, sorted as in UnitJoints, as points (C, 3) m and signs (C,), each with its
+    joint (C,); area (J,) m2, normal (J, 3) and middle (J, 3) m; corners from the middle (N, 3) m, each with its joint
+    (N,), and where those of a joint begin (J,)."""
+
+    point: np.ndarray
+    sign: np.ndarray
+    joint: np.ndarray
+    area: np.ndarray
+    normal: np.ndarray
+    middle: np.ndarray
+    corner: np.ndarray
+    of_corner: np.ndarray
+    first_corner: np.ndarray
 
 
-def _eccentricity(joints: Joints, contacts: np.ndarray, off: np.ndarray) -> float:
-    """How far a place lies off the middle of a joint (3,) m, over how far the joint reaches there."""
-    patches = np.unique(joints.patch[contacts])
-    sides = np.diff(joints.patch_start)[patches]
-    corners = joints.patch_points[ranges(joints.patch_start[patches], sides)[1]]
-    middle = joints.area[contacts] @ joints.point[contacts] / joints.area[contacts].sum()
-    far = float(np.linalg.norm(off))
-    if far <= LEAST * float(np.abs(corners - middle).max()):
-        return 0.0
-    return far * far / float(((corners - middle) @ off).max())
+def faces_of(joints: Joints, between: UnitJoints) -> JointFaces:
+    """The faces of the joints between units."""
+    contact, first, count = between.contact, between.start[:-1], len(between.units)
+    joint = np.repeat(np.arange(count), np.diff(between.start))
+    point, part, sign = joints.point[contact], joints.area[contact], between.sign[contact]
+    area = np.add.reduceat(part, first)
+    middle = np.add.reduceat(part[:, None] * point, first) / area[:, None]
+    polygons = len(joints.patch_start) - 1
+    each, patch = np.divmod(np.unique(joint * polygons + joints.patch[contact]), polygons)
+    number, rows = ranges(joints.patch_start[patch], np.diff(joints.patch_start)[patch])
+    of_corner = each[number]
+    corner = joints.patch_points[rows] - middle[of_corner]
+    normal = sign[first, None] * joints.normal[contact[first]]
+    begins = np.searchsorted(of_corner, np.arange(count))
+    return JointFaces(point, sign, joint, area, normal, middle, corner, of_corner, begins)
+
+
+def _columns(faces: JointFaces, between: UnitJoints, forces: np.ndarray) -> dict[str, np.ndarray]:
+    """The columns COLUMNS of a moment, from the forces (C, 3) N of the contacts."""
+    first = between.start[:-1]
+    force = faces.sign[:, None] * forces[between.contact]
+    along = np.einsum("ci,ci->c", force, faces.normal[faces.joint])
+    total, pressing = np.add.reduceat(force, first), np.add.reduceat(along, first)
+    shear = np.linalg.norm(total - pressing[:, None] * faces.normal, axis=1)
+    size = np.add.reduceat(np.abs(force).sum(axis=1), first)
+    presses = np.abs(pressing) > LEAST * np.maximum(size, 1e-300)
+    place = np.full((len(total), 3), np.nan)
+    place[presses] = (np.add.reduceat(along[:, None] * faces.point, first)[presses]) / pressing[presses, None]
+    vectors = {"normal": faces.normal, "force": total, "place": place}
+    scalars = {
+        "unit_a": between.units[:, 0],
+        "unit_b": between.units[:, 1],
+        "area": faces.area,
+        "normal_force": pressing,
+        "shear_force": shear,
+        "eccentricity": _eccentricity(faces, place - faces.middle),
+    }
+    return scalars | {f"{name}_{axis}": v[:, k] for name, v in vectors.items() for k, axis in enumerate("xyz")}
+
+
+def _eccentricity(faces: JointFaces, off: np.ndarray) -> np.ndarray:
+    """(J,) how far a place lies off the middle of its joint (J, 3) m, over how far the joint reaches there."""
+    far = np.linalg.norm(off, axis=1)
+    size = np.maximum.reduceat(np.abs(faces.corner).max(axis=1), faces.first_corner)
+    along = np.einsum("ci,ci->c", faces.corner, off[faces.of_corner])
+    reach = np.maximum.reduceat(along, faces.first_corner)
+    centred = far <= LEAST * size
+    return np.where(centred, 0.0, far * far / np.where(centred, 1.0, reach))
 
 
 def resultants_csv(table: Mapping[str, np.ndarray]) -> str:
