@@ -8,25 +8,29 @@ from masonry.rows.history import Frame
 
 
 class BlockCorners:
-    """What the fits of all frames share: the corners of each block, their mean, and the inverse of their spread."""
+    """What the fits of all frames share: the corners of each block, each once and as heavy as it has faces, their mean,
+    and the inverse of their spread."""
 
     def __init__(self, blocks: Blocks) -> None:
-        self.blocks, self.corner = blocks, blocks.face_points
-        self.owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
-        self.number = np.maximum(np.bincount(self.owner, minlength=blocks.count), 1)[:, None]
+        self.blocks = blocks
+        owner = np.repeat(blocks.face_block(), np.diff(blocks.face_start))
+        each, faces = np.unique(owner * len(blocks.points) + blocks.face_points, return_counts=True)
+        self.owner, self.corner = np.divmod(each, len(blocks.points))
+        self.weight = faces[:, None].astype(float)
+        self.number = np.maximum(np.bincount(owner, minlength=blocks.count), 1)[:, None]
         self.centre = self.sum(blocks.points[self.corner]) / self.number
         self.arm = blocks.points[self.corner] - self.centre[self.owner]
-        self.inverse = np.linalg.pinv(self.sum(self.arm[:, :, None] * self.arm[:, None, :]), hermitian=True)
+        self.inverse = np.linalg.pinv(self.sum_of_products(self.arm), hermitian=True)
 
     def sum_of_products(self, values: np.ndarray) -> np.ndarray:
         """Sum over the corners of each block of values (n, 3) times the arms: (B, 3, 3)."""
-        arms, count = np.ascontiguousarray(self.arm.T), self.blocks.count
+        arms, count = np.ascontiguousarray((self.weight * self.arm).T), self.blocks.count
         sums = [[np.bincount(self.owner, value * arm, count) for arm in arms] for value in values.T.copy()]
         return np.moveaxis(np.array(sums), 2, 0)
 
     def sum(self, values: np.ndarray) -> np.ndarray:
-        """Sum over the corners (n, ...) of each block: (B, ...)."""
-        return sum_by_block(self.blocks, self.owner, values)
+        """Sum over the corners of each block of values (n, 3): (B, 3)."""
+        return sum_by_block(self.blocks, self.owner, self.weight * values)
 
 
 class Deformation:

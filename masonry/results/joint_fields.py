@@ -5,10 +5,11 @@ numbers, and opening and slip as vectors too, for glyphs. Points move midway bet
 """
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from geometry.blocks import Joints
 from geometry.joints.tributary_areas import tiles
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE
@@ -27,9 +28,10 @@ class JointGrid:
     def __init__(self, result: "ResultData") -> None:
         self.joints = joints = result.joints
         self.shape = BlockCorners(result.specimen.blocks)
-        self._last: tuple[Frame, Deformation] | None = None
+        self._last: tuple[Frame, _Motion] | None = None
         start, points = tiles(joints)
         self.owner = np.repeat(np.arange(len(joints.area)), np.diff(start))
+        self.arm = points - joints.point[self.owner]
         self.cells = VtkCells(
             points=points,
             connectivity=np.arange(len(points)),
@@ -44,22 +46,23 @@ class JointGrid:
             },
         )
 
-    def _field(self, frame: Frame) -> Deformation:
-        """The displacements of a frame; points and cells ask for them one after the other."""
+    def _motion(self, frame: Frame) -> "_Motion":
+        """How the contacts moved in a frame; points and cells ask for it one after the other."""
         if self._last is None or self._last[0] is not frame:
-            self._last = frame, Deformation(self.shape, frame)
+            self._last = frame, _Motion.of(self.joints, Deformation(self.shape, frame))
         return self._last[1]
 
     def point_data(self, frame: Frame) -> Data:
         """`displacement` (points, 3) m: the mean of the two sides."""
-        first, second = self._field(frame).sides(self.joints, self.owner, self.cells.points)
-        return {"displacement": 0.5 * (first + second)}
+        first, second, gradient = self._motion(frame)
+        moved = (0.5 * (first + second))[self.owner]
+        moved += np.einsum("pij,pj->pi", gradient[self.owner], self.arm)
+        return {"displacement": moved}
 
     def cell_data(self, frame: Frame) -> Data:
         """The fields of the contacts: numbers (cells,), vectors (cells, 3) m, and `mode` as `mode_of` has it."""
         joints = self.joints
-        every = np.arange(len(joints.area))
-        first, second = self._field(frame).sides(joints, every, joints.point)
+        first, second, _ = self._motion(frame)
         along = np.einsum("ni,ni->n", second - first, joints.normal)
         data: Data = {name: getattr(frame, name) for name in NUMBERS}
         if frame.crushing is not None:
@@ -69,6 +72,27 @@ class JointGrid:
             "opening_vector": frame.opening[:, None] * joints.normal,
             "slip_vector": second - first - along[:, None] * joints.normal,
         }
+
+
+class _Motion(NamedTuple):
+    """Displacements (C, 3) m of the contact points as matter of block a and of block b, and the gradient (C, 3, 3) of
+    the mean of both: on a side that moves as nodes of tets do it is 0."""
+
+    first: np.ndarray
+    second: np.ndarray
+    gradient: np.ndarray
+
+    @classmethod
+    def of(cls, joints: Joints, field: Deformation) -> "_Motion":
+        first, second = field.sides(joints, np.arange(len(joints.area)), joints.point)
+        gradient = np.zeros((len(first), 3, 3))
+        for block, node, corner in (
+            (joints.block_a, joints.node_a, joints.corner_a),
+            (joints.block_b, joints.node_b, joints.corner_b),
+        ):
+            nodal = (node >= 0) if corner is None else (node >= 0) | (corner[:, 0] >= 0)
+            gradient += np.where(nodal, 0.0, 0.5)[:, None, None] * field.gradient[block]
+        return cls(first, second, gradient)
 
 
 def mode_of(frame: Frame) -> np.ndarray:
