@@ -1,7 +1,7 @@
-"""Akantu and Yade beside ours, in one run: `python -m benchmarks.peers --akantu PYTHON --yade COMMAND`.
+"""Akantu, Yade and PyBullet beside ours: `python -m benchmarks.peers --akantu PYTHON --yade COMMAND --pybullet PYTHON`.
 
-PYTHON is one that has `akantu` (pip install akantu), COMMAND starts Yade (apt-get install yade). One that is absent is
-left out, and the table says so. Rounds are taken in turn, on one thread each, and the least time of each counts.
+PYTHON is one that has `akantu` (pip install akantu), or `pybullet` (pip install pybullet); COMMAND starts Yade (apt-get
+install yade). One that is absent is X a dry wall is tilted, by ours and by PyBullet: see tilted_wall.py.
 
 The items are alike, not the same. A tet is linear elastic everywhere. Figures of ours and of Yade are whole steps,
 over tets, contact points, bonds (of two spheres) or pairs of blocks that touch; a cohesive integration point of
@@ -14,10 +14,13 @@ are a row of their own.
 import argparse
 import shutil
 import sys
+import time
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
+from benchmarks.peers import tilted_wall
 from benchmarks.peers.worker import Absent, Worker
 from benchmarks.test_detection import CALLS, brick_pair, clipping
 from masonry import scene
@@ -25,7 +28,6 @@ from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
 from masonry.timeloop import compiled_step
 from verification.reference_step import models
-from verification.reference_step.interleaved import in_turn
 from verification.scene_runs import assembled
 
 ROUNDS = 15
@@ -84,22 +86,37 @@ def peers(words: argparse.Namespace) -> tuple[dict[str, Worker], list[str]]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description="Akantu and Yade beside ours.")
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description="Other programs beside ours.")
     parser.add_argument("--akantu", default=sys.executable, metavar="PYTHON", help="a Python that has akantu")
     parser.add_argument("--yade", default=shutil.which("yade") or "yade", metavar="COMMAND", help="starts Yade")
-    found, absent = peers(parser.parse_args())
+    parser.add_argument("--pybullet", default=sys.executable, metavar="PYTHON", help="a Python that has pybullet")
+    words = parser.parse_args()
+    print_steps(words)
+    tilted_wall.print_table(words.pybullet)
+
+
+def processor_seconds(work: Callable[[], None]) -> float:
+    """Seconds of processor of one call: on a crowded machine those of a clock say little."""
+    begun = time.process_time()
+    work()
+    return time.process_time() - begun
+
+
+def print_steps(words: argparse.Namespace) -> None:
+    """A line of each kind of step: what it costs by the item."""
+    found, absent = peers(words)
     rows = ours()
     steps = {name: 20 if name.startswith("akantu") else 300 for name in found} | {"yade polyhedra": 10}
     try:
-        works = [work for work, _ in rows.values()]
-        works += [lambda w=w, n=steps[name]: w.seconds(n) for name, w in found.items()]
-        times = in_turn(*works, rounds=ROUNDS)
+        works = [partial(processor_seconds, work) for work, _ in rows.values()]
+        works += [partial(worker.seconds, steps[name]) for name, worker in found.items()]
+        times = np.array([[work() for work in works] for _ in range(ROUNDS)]).min(axis=0)
     finally:
         for worker in found.values():
             worker.close()
-    for (name, (_, items)), time in zip(rows.items(), times, strict=False):
-        print(f"{1e9 * time.least / items:8.1f} ns  {name}")
-    step = {name: time.least / steps[name] for name, time in zip(found, times[len(rows) :], strict=True)}
+    for (name, (_, items)), seconds in zip(rows.items(), times, strict=False):
+        print(f"{1e9 * seconds / items:8.1f} ns  {name}")
+    step = {name: seconds / steps[name] for name, seconds in zip(found, times[len(rows) :], strict=True)}
     for name, worker in found.items():
         says = worker.says
         version = f"{name} {says['version']}"
@@ -111,7 +128,7 @@ def main() -> None:
         for item in ("bonds", "pairs"):
             if item in says:
                 print(f"{1e9 * step[name] / says[item]:8.1f} ns  {version}, whole step, over {says[item]} {item}")
-    print("\n".join(absent))
+    print("\n".join(absent), flush=True)
 
 
 if __name__ == "__main__":

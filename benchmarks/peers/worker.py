@@ -35,7 +35,7 @@ class Worker:
         self.says = json.loads(self._answer())
 
     def seconds(self, steps: int) -> float:
-        """Seconds that some steps took."""
+        """Seconds of processor that some steps took."""
         assert self.process.stdin is not None
         self.process.stdin.write(f"{steps}\n")
         self.process.stdin.flush()

@@ -80,9 +80,9 @@ def main(kind: str) -> None:
         assert says["bonds"] == len(pairs) == 3 * COUNT**2 * (COUNT - 1), "some bonds are missing or broken"
     print("PEER", json.dumps(says), flush=True)
     for line in sys.stdin:
-        begun = time.perf_counter()
+        begun = time.process_time()
         O.run(int(line), True)
-        print("PEER", time.perf_counter() - begun, flush=True)
+        print("PEER", time.process_time() - begun, flush=True)
 
 
 main(sys.argv[-1])
