@@ -118,7 +118,8 @@ def principal_axes(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         in_plane, plane = np.ix_(turned, others), np.ix_(turned, others, others)
         axes[turned], moment[turned] = np.eye(3), diagonal[turned]
         moment[in_plane], axes[plane] = np.linalg.eigh(tensor[plane])
-    for b, k in np.argwhere(np.abs(axes).max(axis=2) >= ALONG):
+    size = np.abs(axes)
+    for b, k in np.argwhere((size.max(axis=2) >= ALONG) & (size.argmax(axis=2) != np.arange(3))):
         own = np.argmax(np.abs(axes[b, k]))
         axes[b][:, [k, own]], moment[b, [k, own]] = axes[b][:, [own, k]], moment[b, [own, k]]
     return moment, axes
