@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
+from masonry.configuration import crushed_joints
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.model_state import restore, state
 from masonry.laws.compression_cap import strength_left
@@ -231,6 +232,15 @@ def test_a_frame_shows_what_the_patches_crushed_where_the_joint_was():
         assert closing.shape == contacts.area.shape and closing.max() > 0.5 * by_hand.max()
         assert closing == pytest.approx(by_hand, abs=2.0 * ring)
         assert not closing[x < 0.0].any()
+
+
+def test_cells_of_joints_are_the_same_looked_at_in_parts(monkeypatch):
+    joint = Joint()
+    joints = joint.model.joints
+    whole = crushed_joints.cells_of_joints(joints, joint.near)
+    monkeypatch.setattr(crushed_joints, "AT_ONCE", 7)
+    assert len(crushed_joints.in_parts(np.full(len(joints.area), 6))) > 1
+    assert np.array_equal(crushed_joints.cells_of_joints(joints, joint.near), whole) and np.all(whole >= 0)
 
 
 def test_faces_beside_a_mesh_have_cells_of_their_own_size():
