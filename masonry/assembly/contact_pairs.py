@@ -77,11 +77,11 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
     rules = rules._replace(cap=cap, cut_off=cut_off)
     skin, branches = scene.solver.skin, swing_of(scene.damping).branch_count
     spread = scene.specimen.patch_points == "spread"
-    along = _points_along(scene, cap is not None or cut_off is not None)
+    along = points_along(scene, cap is not None or cut_off is not None)
     return Meetings(rules, pairs.number, SKIN if skin is None else skin, spread, branches, along)
 
 
-def _points_along(scene: Scene, crushes: bool) -> int:
+def points_along(scene: Scene, crushes: bool) -> int:
     """How many points a patch has along its edges, if a scene does not spread them."""
     if scene.specimen.patch_points_per_edge is not None:
         return scene.specimen.patch_points_per_edge

@@ -10,7 +10,8 @@
 
 A patch is looked for again as the block turns, and its faces keep what its points crushed. These lie on rings round its
 middle, twenty along an edge: a toe is a step of some of them, and the force is off by 1 %. The energy of crushing by
-the stress block, fc t th xp^2/2, wants far more points: it is 30 % too large with these, 60 % with ten.
+the stress block, fc t th xp^2/2, wants far more points: it is 30 % too large with these, 60 % with ten. The block turns
+about a point of the patch, not about the end of what is crushed; the run says so.
 
 Reference: moments about the toe in the turned shape, and stresses over a plane section, by hand.
 """

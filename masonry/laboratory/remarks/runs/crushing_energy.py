@@ -1,0 +1,106 @@
+"""Is the energy that crushing took known, where joints crush at an edge?
+
+Such a joint turns about the place where its crushed part ends, and closes by the more the farther from it. With points
+that place lies at one of them: the moment hardly changes by it, what the edge closed by does. By hand, under the normal
+force of the joint where the drive is farthest, from a fifth less to a quarter more: the energy of the crushed part by
+its points and by strips, both elastic up to the strength, at the turn that the joint has. It is as often too large as
+too small, so joints add up by their squares. The limit is 3 % of the external work. What crushed evenly is known.
+"""
+
+import numpy as np
+
+from masonry.assembly.assemble import Assembly
+from masonry.assembly.contact_pairs import points_along
+from masonry.detection.spread import rounds_of
+from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.joint_faces import MOST, Faces, corners_of
+from masonry.laboratory.remarks.joint_sections import NARROW, Section, of_points, spread
+from masonry.rows.columns import CRUSHING
+
+OFF = 0.03
+"""Of the largest external work."""
+EVEN = 0.9
+"""Of the largest plastic closing in a joint: where all points closed by more, it does not bend."""
+STRIPS = 800
+"""As many as make nothing of their own beside forty points."""
+SHARES = np.linspace(0.8, 1.25, 16)
+"""Of the normal force of a joint."""
+
+
+def doubts(inspection: Inspection) -> list[Doubt]:
+    """One at most."""
+    rows = inspection.outcome.history.rows if inspection.frames else {}
+    scene = inspection.assembly.scene
+    if CRUSHING not in rows or inspection.frames[-1].crushing is None:
+        return []
+    if scene.is_large and any(map(scene.is_meshed, scene.material)):  # its patches are triangles of a mesh
+        return []
+    energy, work = float(rows[CRUSHING][-1]), float(np.abs(rows["external_work"]).max())
+    if energy <= OFF * OFF * work:
+        return []
+    off = energy / work * _error(inspection, inspection.frames[-1].crushing)
+    if off <= OFF:
+        return []
+    sentence = (
+        f"the contact points of joints whose edge crushes are too few for its energy: crushing took {energy:.3g} J, "
+        f"give or take {100 * off * work / energy:.2g} %, or {100 * off:.2g} % of the external work"
+    )
+    key = "specimen.patch_points_per_edge" if scene.is_large else "specimen.points_per_edge along edges that bend"
+    return [Doubt("crushing_energy", off, OFF, sentence, f"take more {key}: twice as many halve the error")]
+
+
+def _error(inspection: Inspection, closing: np.ndarray) -> float:
+    """Of the energy that crushing took in all joints, as a share."""
+    assembly, faces, frames = inspection.assembly, inspection.faces, inspection.frames
+    drive = np.abs([frame.displacement for frame in frames])
+    look = inspection.look(int(np.flatnonzero(drive == drive.max())[-1]))
+    most = np.maximum.reduceat(closing[faces.order], faces.start[:-1])
+    volume, squares = faces.sums(closing * assembly.joints.area), 0.0
+    for face in np.argsort(-volume, kind="stable")[:MOST]:
+        force, turn = -float(look.force[face]), float(np.linalg.norm(look.turn[face]))
+        contact = assembly.scene.contact_of(assembly.model.group_names[faces.group[face]])
+        if force <= 0.0 or turn <= 0.0 or contact.crushing is None or contact.compressive_strength is None:
+            continue
+        if closing[faces.contacts(face)].min() > EVEN * most[face]:
+            continue
+        bears, strain = contact.compressive_strength, turn * float(faces.stiffness[face])
+        points, strips = _sections(assembly, faces, face, look.turn[face] / turn)
+        share = min(force / (bears * faces.area[face]), 1.0 / SHARES[-1] - 1e-9)
+        ratio = [
+            _crushed(points, bears / strain, share * s) / max(_crushed(strips, bears / strain, share * s), 1e-300) - 1.0
+            for s in SHARES
+        ]
+        squares += (volume[face] * float(np.sqrt(np.mean(np.square(ratio))))) ** 2
+    return float(np.sqrt(squares) / max(volume.sum(), 1e-300))
+
+
+def _sections(assembly: Assembly, faces: Faces, face: int, along: np.ndarray) -> tuple[Section, Section]:
+    """The points of a joint, or of the patch in its place, and strips; across the axis about which it turns."""
+    joints, middle, scene, own = assembly.joints, faces.middle[face], assembly.scene, faces.contacts(face)
+    corners = corners_of(joints, faces.patch[face])
+    strips = _finer(spread(corners, along, np.cross(faces.normal[face], along), middle), (corners - middle) @ along)
+    if not scene.is_large or assembly.model.alive[own].all():
+        return of_points((joints.point[own] - middle) @ along, joints.area[own]), strips
+    rounds = rounds_of(points_along(scene, True))
+    place = np.outer(rounds[:, 0], (corners - middle) @ along).ravel()
+    return of_points(place, np.repeat(rounds[:, 1], len(corners)) * faces.area[face] / len(corners)), strips
+
+
+def _finer(strips: Section, corner: np.ndarray) -> Section:
+    """STRIPS strips in place of few, of a polygon with corners at these places (m)."""
+    edge = np.linspace(corner.min(), corner.max(), STRIPS + 1)
+    place = 0.5 * (edge[1:] + edge[:-1])
+    width = np.interp(place, strips.place, strips.area / (np.ptp(corner) * np.diff(NARROW)))
+    return Section(place, width * strips.area.sum() / width.sum())
+
+
+def _crushed(section: Section, elastic: float, share: float) -> float:
+    """m3, over strength and turn: volume that is crushed at the edge with the lowest place, where a section bears a
+    share of its strength and presses by the strength `elastic` (m) from where it opens."""
+    place, low, high = section.place, section.place.min(), section.place.max() + elastic
+    area = section.area / section.area.sum()
+    for _ in range(60):
+        opens = 0.5 * (low + high)
+        low, high = (opens, high) if area @ np.clip((opens - place) / elastic, 0.0, 1.0) < share else (low, opens)
+    return float(section.area @ np.maximum(high - elastic - place, 0.0))
