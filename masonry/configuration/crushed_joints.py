@@ -50,7 +50,7 @@ class CrushedJoints:
             if not grown.any() or len(beside) == 0:
                 continue
             body = pairs.body[p, pairs.points_of[p]]
-            place = near.motion.centre[body] + points.quads[s, k // FOUR, PLACE : PLACE + 3, k % FOUR]
+            place = near.motion.centre[body] + points.quads[k // FOUR, s, PLACE : PLACE + 3, k % FOUR]
             apart = self.model.joints.point[beside][:, None] - place
             closing[beside] += grown[np.argmin(np.einsum("ckj,ckj->ck", apart, apart), axis=1)]
 

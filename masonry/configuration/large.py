@@ -168,7 +168,7 @@ class LargeDisplacement:
         pairs, points = near.pairs, near.points
         touching = np.flatnonzero(pairs.slot[: pairs.number[0]] >= 0)
         slot = pairs.slot[touching]
-        area = points.quads[slot, :, AREA].reshape(len(slot), points.quads[0, :, AREA].size)
+        area = points.quads[:, slot, AREA].transpose(1, 0, 2).reshape(len(slot), points.quads[:, 0, AREA].size)
         area = np.where(np.arange(area.shape[1]) < points.number[slot, None], area, 0.0).sum(axis=1)
         pair = np.concatenate([bonded[alive], near.pieces.block[pairs.body[touching]]])
         patches = near.rules.normal_stiffness[pairs.law[touching]] * area

@@ -192,7 +192,7 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     less = min(1.0, np.sqrt(left.sheared / sheared)) if sheared > 0.0 else 0.0
     for p in which:
         k = np.arange(len(pressures[p]))
-        points.quads[pairs.slot[p], k // FOUR, SHEAR:, k % FOUR] = less * tractions[p].T
+        points.quads[k // FOUR, pairs.slot[p], SHEAR:, k % FOUR] = less * tractions[p].T
     near.account[SHEAR_LOST] -= less**2 * sheared
 
 
@@ -204,7 +204,7 @@ def _hand_over_crushing(near: Near, p: int, left: Carried) -> None:
         return
     pressed = stored(near.pairs, near.points, near.rules, near.motion, p)[0]
     k = np.arange(near.points.number[s])
-    place = near.motion.centre[near.pairs.body[p, own]] + near.points.quads[s, k // FOUR, PLACE : PLACE + 3, k % FOUR]
+    place = near.motion.centre[near.pairs.body[p, own]] + near.points.quads[k // FOUR, s, PLACE : PLACE + 3, k % FOUR]
     next_to_it = np.argmin(np.sum((left.place - place[:, None]) ** 2, axis=2), axis=1)
     for row, closings in zip((CLOSING, HARDENING), left.crushed.T, strict=True):
         crushed[s, k // FOUR, row, k % FOUR] += closings[next_to_it]
@@ -235,4 +235,4 @@ def pressures_of(near: Near, p: int) -> np.ndarray:
 def areas_of(near: Near, p: int) -> np.ndarray:
     """(K,) m2, of the points of a pair."""
     s = near.pairs.slot[p]
-    return near.points.quads[s, :, AREA].ravel()[: near.points.number[s]]
+    return near.points.quads[:, s, AREA].ravel()[: near.points.number[s]]

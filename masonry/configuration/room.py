@@ -73,8 +73,11 @@ def _with_points(near: Near, room: int) -> Near:
     """All slots that there were are taken, or are filled later."""
     had = len(near.points.feature)
     points = no_points_like(near, room)
-    for old, new in zip(near.points[:-1], points[:-1], strict=True):
-        if old is not None and new is not None:
+    for name, old in near.points._asdict().items():
+        new = getattr(points, name)
+        if name in ("quads", "damper"):
+            new[:, :had] = old
+        elif name != "free" and old is not None:
             new[:had] = old
     points.free[: room - had] = np.arange(had, room)[::-1]
     points.free[-1] = room - had

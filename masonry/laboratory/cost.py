@@ -17,9 +17,9 @@ LARGE = {"step": 650.0, "contact": 7.5, "patch": 43.0, "block": 22.0, "tet": 20.
 """Nanoseconds of processor that each part of a step takes where MACHINE was measured, in small and in large
 displacement: contacts that are swept, and joints that are patches. `python -m verification.studies.forecasts`
 compares."""
-MOVING, FROM_MEMORY, MANY = 1.5, 170.0, 9000
+MOVING, FROM_MEMORY, MANY = 1.5, 30.0, 25000
 """Times as much a patch takes where blocks swing or fall, and are looked at again (1.1 to 2.2 were measured); what it
-takes besides where all of them lie in memory, and how many lie there by half: those of some thousands stay in the
+takes besides where all of them lie in memory, and how many lie there by half: those of ten thousand stay in the
 processor's cache."""
 CHUNK, LOOK, ROW, FRAME_OF_CONTACT = 7e4, 5e4, 2.5e5, 3e3
 """The same of a chunk of steps, a look at a specimen whose load grows, a row of the curve, and for each contact in a

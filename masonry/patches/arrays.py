@@ -30,13 +30,14 @@ class PatchPoints(NamedTuple):
     """Points of the pairs that touch, or nearly: S slots of up to K points, a multiple of four; which slots are free.
 
     number   (S,) points of a slot
-    quads    (S, K / FOUR, 8, FOUR) what each step needs of four points, side by side in memory; in rows from
+    quads    (K / FOUR, S, 8, FOUR) what each step needs of four points, side by side in memory, and so are the first
+             four of all slots: most have no more, and a step reads them in one stream; in rows from
              PLACE   m, x, y, z from the centroid of the block that they belong to, in its frame
              LEVEL   m, of the plane that the point meets, along the normal from the centroid of the reference
              AREA    m2
              SHEAR   Pa, x, y, z of the elastic shear traction on the reference, in space
     feature  (S, K) names
-    damper   (S, K) Pa, stress of the dashpot at the last step
+    damper   (K / FOUR, S, FOUR) Pa, stress of the dashpot at the last step
     branches  (S, K / FOUR, 3 J, FOUR) Pa on the reference, x, y, z of each branch: branches.py; None without any
     crushed  (S, K / FOUR, ROWS, FOUR) plastic closing and its hardening: crushed_points.py; None where nothing crushes
     free     (S + 1,) the last number is how many slots are free, the first ones which
@@ -195,7 +196,7 @@ class Near(NamedTuple):
 @inner
 def number_of(points, s, k, row):
     """A number of point k of slot s."""
-    return points.quads[s, k // FOUR, row, k % FOUR]
+    return points.quads[k // FOUR, s, row, k % FOUR]
 
 
 @inner
@@ -207,7 +208,7 @@ def vector_of(points, s, k, row):
 @inner
 def put_number_of(points, s, k, row, value):
     """Write a number of point k of slot s."""
-    points.quads[s, k // FOUR, row, k % FOUR] = value
+    points.quads[k // FOUR, s, row, k % FOUR] = value
 
 
 @inner
@@ -254,9 +255,9 @@ def no_points(room: int, most: int, branches: int = 0, crushed: int = 0) -> Patc
     most = -(-most // 4) * 4
     return PatchPoints(
         number=np.zeros(room, dtype=np.int64),
-        quads=np.zeros((room, most // FOUR, 8, FOUR)),
+        quads=np.zeros((most // FOUR, room, 8, FOUR)),
         feature=np.zeros((room, most), dtype=np.int64),
-        damper=np.zeros((room, most)),
+        damper=np.zeros((most // FOUR, room, FOUR)),
         branches=np.zeros((room, most // FOUR, 3 * branches, FOUR)) if branches else None,
         crushed=np.zeros((room, most // FOUR, crushed, FOUR)) if crushed else None,
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),

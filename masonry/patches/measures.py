@@ -8,6 +8,7 @@ from masonry.patches.arrays import AREA, PLACE, SHEAR, number_of, outward, vecto
 from masonry.patches.branches import with_branches
 from masonry.patches.crushed_points import with_closing
 from masonry.patches.press import gap_of, pressing_gap, stored
+from masonry.simd import FOUR
 
 
 @CompiledPart
@@ -40,7 +41,7 @@ def point_forces(record):
                 n = plane_of(motion.frame, motion.dual, ref, x, y, z)
                 x, y, z = vector_of(points, s, k, PLACE)
                 arm = turned(motion.frame, other, x, y, z)
-                sigma = kn * gap + (points.damper[s, k] if pairs.dashpot[p] > 0.0 else 0.0)
+                sigma = kn * gap + (points.damper[k // FOUR, s, k % FOUR] if pairs.dashpot[p] > 0.0 else 0.0)
                 shear = with_branches(points.branches, s, k, vector_of(points, s, k, SHEAR))
                 sign = outward(own)
                 for i in range(3):

@@ -132,7 +132,7 @@ def clear(push, width):
 @inlined
 def four_of(points, s, k, row):
     """A number of four points of a slot, from point k on."""
-    return take(points.quads, (s, k // FOUR, row, 0), four())
+    return take(points.quads, (k // FOUR, s, row, 0), four())
 
 
 @inlined
@@ -166,8 +166,8 @@ def respond(
     sigma = with_crushing(crushed, sigma, kn * closed)
     if dashpot > 0.0:  # its work by the trapezoid, as that of all forces on the blocks
         now = where(touches, minimum(dashpot * while_closed(rise, gap, closing, dt), -sigma), 0.0)
-        work = 0.5 * dt * size * closing * (now + take(points.damper, (s, k), four()))
-        put(points.damper, (s, k), now)
+        work = 0.5 * dt * size * closing * (now + take(points.damper, (k // FOUR, s, 0), four()))
+        put(points.damper, (k // FOUR, s, 0), now)
         sigma = sigma + now
     if keep is None and not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, work, sigma
@@ -175,9 +175,9 @@ def respond(
     most = least(crushed, strength(cohesion, tan, sigma, touches), limit)
     t, heat = slide(shear, out, d, along, n, dt, ks, most)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
-    put(points.quads, (s, k // FOUR, SHEAR, 0), x)
-    put(points.quads, (s, k // FOUR, SHEAR + 1, 0), y)
-    put(points.quads, (s, k // FOUR, SHEAR + 2, 0), z)
+    put(points.quads, (k // FOUR, s, SHEAR, 0), x)
+    put(points.quads, (k // FOUR, s, SHEAR + 1, 0), y)
+    put(points.quads, (k // FOUR, s, SHEAR + 2, 0), z)
     if keep is not None:
         m, taken = beside(
             points.branches, keep, gain, s, k, joint, dt, touches, (x, y, z), most, sigma, d, along, n, rotation

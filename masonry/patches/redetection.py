@@ -247,7 +247,7 @@ def write_points(near, p, count, former_count):
         put_number_of(points, s, k, AREA, footprint.area[k])
         points.feature[s, k] = footprint.feature[k]
         if k >= former_count or near.former.feature[k] != footprint.feature[k]:
-            points.damper[s, k] = 0.0
+            points.damper[k // FOUR, s, k % FOUR] = 0.0
             forget(points.branches, s, k)
         area += footprint.area[k]
     points.number[s] = count
@@ -269,7 +269,7 @@ def hand_on_shear(near, p, count, former_count):
         x, y, z = vector_at(footprint.shear, k, 0) if former_count > 0 and k < count else (0.0, 0.0, 0.0)
         put_vector_of(points, s, k, SHEAR, (sign * x, sign * y, sign * z))
         if k >= count:  # beside the points: whatever was there has been lost already, and is not to count again
-            points.damper[s, k] = 0.0
+            points.damper[k // FOUR, s, k % FOUR] = 0.0
             forget(points.branches, s, k)
 
 

@@ -99,7 +99,7 @@ def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, she
     assert retirement.pressures_of(near, p) == pytest.approx(np.full(4, 2e5), rel=1e-9)
     s = near.pairs.slot[p]
     k = np.arange(4)
-    tractions = near.points.quads[s, k // FOUR, SHEAR:, k % FOUR]
+    tractions = near.points.quads[k // FOUR, s, SHEAR:, k % FOUR]
     assert retirement.areas_of(near, p).sum() == pytest.approx(0.01)
     on_the_slab = 1.0 if near.pairs.body[p, 1 - near.pairs.points_of[p]] == 0 else -1.0
     total = on_the_slab * (retirement.areas_of(near, p) @ tractions)
@@ -123,7 +123,7 @@ def test_patches_take_over_how_far_bonds_were_crushed_from_the_nearest_of_them()
     p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
     s, own = near.pairs.slot[p], near.pairs.points_of[p]
     k = np.arange(near.points.number[s])
-    x = near.motion.centre[near.pairs.body[p, own], 0] + near.points.quads[s, k // FOUR, PLACE, k % FOUR]
+    x = near.motion.centre[near.pairs.body[p, own], 0] + near.points.quads[k // FOUR, s, PLACE, k % FOUR]
     handed_over = near.points.crushed[s, k // FOUR, CLOSING, k % FOUR]
     assert handed_over == pytest.approx(np.where(x > 0.0, 3e-5, 1e-5), rel=1e-12)
     assert stored_energy(near) == pytest.approx(springs, rel=1e-9)
@@ -145,7 +145,7 @@ def test_shear_that_follows_an_uneven_pressure_holds_no_more_energy_than_the_bon
     assert pressures.max() > 1.3 * pressures.min()
     assert float(areas @ pressures**2) / (2.0 * KN) == pytest.approx(0.01 * 4e10 / (2.0 * KN), rel=1e-9)
     k = np.arange(4)
-    tractions = near.points.quads[near.pairs.slot[p], k // FOUR, SHEAR:, k % FOUR]
+    tractions = near.points.quads[k // FOUR, near.pairs.slot[p], SHEAR:, k % FOUR]
     assert float(areas @ np.sum(tractions**2, axis=1)) == pytest.approx(0.01 * 5e4**2, rel=1e-9)
     assert np.linalg.norm(tractions, axis=1) / pressures == pytest.approx(np.full(4, 0.25), rel=0.1)
     assert np.abs(areas @ tractions)[0] < abs(force[0]), "so it is a little less force"

@@ -92,7 +92,7 @@ def test_the_forces_leave_no_couple_and_both_bodies_are_given_theirs():
     model = pressed(turn(1, 0.3))
     near, (rigid, affine, _) = model.large.near, model.bodies
     for k in range(4):
-        near.points.quads[0, k // FOUR, SHEAR:, k % FOUR] = 1.0e5, 0.5e5, 0.2e5
+        near.points.quads[k // FOUR, 0, SHEAR:, k % FOUR] = 1.0e5, 0.5e5, 0.2e5
     push = pushes(model)
     hand_over(model)
     place = near.motion.centre + near.motion.moved

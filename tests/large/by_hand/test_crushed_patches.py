@@ -68,7 +68,7 @@ class Joint:
     def areas(self) -> np.ndarray:
         """(K,) m2."""
         s = self.near.pairs.slot[0]
-        return self.near.points.quads[s, :, AREA].ravel()[: self.near.points.number[s]]
+        return self.near.points.quads[:, s, AREA].ravel()[: self.near.points.number[s]]
 
     @property
     def crushing(self) -> float:
@@ -279,7 +279,7 @@ def test_half_of_it_goes_along_with_the_block_and_half_stays_on_the_ground():
     assert (share, sorted(blocks)) == (pytest.approx(whole / 0.1), [0, 1])
     slide(joint, 0.0, 0.5 * LENGTH)
     s = joint.near.pairs.slot[0]
-    x = joint.near.points.quads[s, :, 0].ravel()[: joint.near.points.number[s]]  # from the block's centroid
+    x = joint.near.points.quads[:, s, 0].ravel()[: joint.near.points.number[s]]  # from the block's centroid
     expected = np.where(x < 0.0, whole, 0.5 * whole)
     assert joint.areas @ joint.closings == pytest.approx(joint.areas @ expected, rel=0.03), "within a cell"
     slide(joint, 0.5 * LENGTH, 1.5 * LENGTH)

@@ -40,7 +40,7 @@ def straight(monkeypatch):
 
 def four_points(model, rows: slice) -> np.ndarray:
     """(4, rows) of the four points; they lie beside each other in memory, or one after another without lanes."""
-    return model.large.near.points.quads[slot(model), : 4 // FOUR, rows].transpose(0, 2, 1).reshape(4, -1)
+    return model.large.near.points.quads[: 4 // FOUR, slot(model), rows].transpose(0, 2, 1).reshape(4, -1)
 
 
 def shear(model) -> np.ndarray:
@@ -50,7 +50,7 @@ def shear(model) -> np.ndarray:
 
 def shear_by(model, tractions: np.ndarray) -> None:
     """Give all four points these tractions (3,) in Pa."""
-    model.large.near.points.quads[slot(model), : 4 // FOUR, SHEAR : SHEAR + 3] = tractions[:, None]
+    model.large.near.points.quads[: 4 // FOUR, slot(model), SHEAR : SHEAR + 3] = tractions[:, None]
 
 
 def slot(model) -> int:
