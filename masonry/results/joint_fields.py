@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 NUMBERS = ("opening", "slip", "normal_stress", "shear_stress", "damage", "damage_tension", "damage_shear")
 
+IN_CACHE = 5_000
+"""Contacts whose tiles are moved at a time: to make large arrays costs more than to fill them."""
+
 
 class JointGrid:
     """The contact points of a result as tiles of their joints, and their data in a frame."""
@@ -54,9 +57,13 @@ class JointGrid:
 
     def point_data(self, frame: Frame) -> Data:
         """`displacement` (points, 3) m: the mean of the two sides."""
-        first, second, gradient = self._motion(frame)
-        moved = (0.5 * (first + second))[self.owner]
-        moved += np.einsum("pij,pj->pi", gradient[self.owner], self.arm)
+        motion, moved, start = self._motion(frame), np.empty_like(self.arm), self.cells.offsets
+        for begin in range(0, self.cells.count, IN_CACHE):
+            contacts = slice(begin, min(begin + IN_CACHE, self.cells.count))
+            middle, gradient = motion.of_middle(self.joints, contacts)
+            points = slice(start[contacts.start], start[contacts.stop])
+            owner = self.owner[points] - begin
+            moved[points] = middle[owner] + np.einsum("pij,pj->pi", gradient[owner], self.arm[points])
         return {"displacement": moved}
 
     def cell_data(self, frame: Frame) -> Data:
@@ -75,24 +82,29 @@ class JointGrid:
 
 
 class _Motion(NamedTuple):
-    """Displacements (C, 3) m of the contact points as matter of block a and of block b, and the gradient (C, 3, 3) of
-    the mean of both: on a side that moves as nodes of tets do it is 0."""
+    """Displacements (C, 3) m of the contact points as matter of block a and of block b, and the field they are from."""
 
     first: np.ndarray
     second: np.ndarray
-    gradient: np.ndarray
+    field: Deformation
 
     @classmethod
     def of(cls, joints: Joints, field: Deformation) -> "_Motion":
-        first, second = field.sides(joints, np.arange(len(joints.area)), joints.point)
-        gradient = np.zeros((len(first), 3, 3))
+        return cls(*field.sides(joints, np.arange(len(joints.area)), joints.point), field)
+
+    def of_middle(self, joints: Joints, contacts: slice) -> tuple[np.ndarray, np.ndarray]:
+        """Displacement (n, 3) m and its gradient (n, 3, 3), midway between the sides of some contacts: a side that
+        moves as nodes of tets do has a gradient of 0."""
+        gradient = np.zeros((contacts.stop - contacts.start, 3, 3))
         for block, node, corner in (
             (joints.block_a, joints.node_a, joints.corner_a),
             (joints.block_b, joints.node_b, joints.corner_b),
         ):
-            nodal = (node >= 0) if corner is None else (node >= 0) | (corner[:, 0] >= 0)
-            gradient += np.where(nodal, 0.0, 0.5)[:, None, None] * field.gradient[block]
-        return cls(first, second, gradient)
+            nodal = node[contacts] >= 0
+            if corner is not None:
+                nodal |= corner[contacts, 0] >= 0
+            gradient += np.where(nodal, 0.0, 0.5)[:, None, None] * self.field.gradient[block[contacts]]
+        return 0.5 * (self.first[contacts] + self.second[contacts]), gradient
 
 
 def mode_of(frame: Frame) -> np.ndarray:
