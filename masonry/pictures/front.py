@@ -54,8 +54,9 @@ class FlatDrawing(Drawing):
 def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -> None:
     """Faces and their edges, layer by layer from the back; flat (P, 2) are the displaced corners."""
     from matplotlib.collections import LineCollection, PolyCollection
+    from matplotlib.colors import to_rgba_array
 
-    colour = group_colours(blocks.groups)
+    colour = to_rgba_array(group_colours(blocks.groups))
     owner = blocks.face_block()
     sides = np.diff(blocks.face_start)
     for layer in np.unique(shown.layer):
@@ -70,10 +71,15 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
         polygons = np.split(corners, last[:-1] + 1)
         if np.all(sides[face] == sides[face[0]]):  # drawn faster as one array
             polygons = corners.reshape(len(face), -1, 2)
-        fills = [colour[g] for g in blocks.group[owner[face]].tolist()]
         depth = 1.0 + 0.01 * float(layer)
         axes.add_collection(
-            PolyCollection(polygons, facecolors=fills, edgecolors="#a09a90", linewidths=0.35, zorder=depth)
+            PolyCollection(
+                polygons,
+                facecolors=colour[blocks.group[owner[face]]],
+                edgecolors="#a09a90",
+                linewidths=0.35,
+                zorder=depth,
+            )
         )
         axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=0.8, zorder=depth + 0.005))
 
