@@ -76,9 +76,11 @@ class CheckedCache(FunctionCache):
             return self._load_overload(sig, target_context)
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        """As Numba's; where it cannot be written the program goes on without."""
+        """As Numba's; where it cannot be written the program goes on without. The copy of the intermediate code that
+        Numba makes for the file, and would keep, is left to who links it to make again."""
         try:
             super().save_overload(sig, data)
+            data.library._shared_module = None
         except OSError as error:
             NOT_KEPT.append(f"{self._cache_path}: {error.strerror or error}")
 
