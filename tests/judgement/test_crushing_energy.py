@@ -91,3 +91,9 @@ def test_it_counts_from_three_hundredths_of_the_work_on(share, told):
 
 def test_what_crushed_evenly_is_known():
     assert crushing_energy.doubts(inspection("small", 2, 1.0, every=True)) == []
+
+
+def test_a_joint_that_hardly_turns_is_elastic_up_to_its_strength_and_bears_no_block():
+    run = inspection("large", 10, 1.0)
+    run.frames[0].opening[:] *= 1e-9
+    assert crushing_energy.doubts(run) == []
