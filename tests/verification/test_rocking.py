@@ -87,12 +87,14 @@ def test_a_run_on_a_pulse_follows_the_integration():
 
 def test_statistics_of_trials_by_hand():
     both = [(0.1, 0.11), (0.3, 0.3), (np.inf, 0.9), (np.inf, np.inf), (1e-5, 2e-4)]
-    peaks = [Peaks(run, integrated, 0.9 * integrated, 1.1 * integrated) for run, integrated in both]
+    peaks = [Peaks(run, (integrated, 0.9 * integrated, 1.1 * integrated)) for run, integrated in both]
     statistics = rocking_statistics.statistics_of(peaks)
-    assert statistics.fell == (2, 1) and statistics.medians == (0.3, 0.3, 0.9 * 0.3, 1.1 * 0.3)
+    assert statistics.fell == (2, 1, 1, 1) and statistics.medians == (0.3, 0.3, 0.9 * 0.3, 1.1 * 0.3)
     assert statistics.median_off == 0.0 and statistics._replace(
         medians=(0.2, 0.3, 0.25, 0.4)
     ).median_off == pytest.approx(0.2)
+    assert statistics.more_fell == 1 and statistics._replace(fell=(3, 1, 2, 5)).more_fell == 0
+    assert statistics._replace(fell=(3, 5, 4)).more_fell == 1
     assert statistics.distance == pytest.approx(0.2) and statistics.holds(5)
     assert not rocking_statistics.statistics_of(8 * peaks).holds(40)
 
