@@ -124,11 +124,12 @@ def check(scene: "SceneLike") -> "Report":
 
 
 def run(
-    scene: "SceneLike", threads: int = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
+    scene: "SceneLike", threads: int | str = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
 ) -> "Result":
     """Run a scene to its end. Raises SceneError or GeometryError before it starts, Stopped if it runs away.
 
     scene     a scene, a file of one, the name of a packaged one, or a dictionary
+    threads   their number, or "auto": as many as the scene is worth; no bit depends on it
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
 
@@ -142,13 +143,12 @@ def run(
     >>> print(f"{result.energies['fracture_mode_2']:.2f} J")
     0.79 J
     """
-    from masonry.laboratory.arguments import called, whole
+    from masonry.laboratory import arguments
     from masonry.laboratory.laboratory import run as run_scene
     from masonry.laboratory.notebook import telling
-    from masonry.runtime.processors import processors
 
-    threads = whole("threads", threads, 1, processors(), "a number of threads")
-    progress, scene = called("progress", progress, True, False, None), _scene(scene)
+    threads = arguments.threads(threads)
+    progress, scene = arguments.called("progress", progress, True, False, None), _scene(scene)
     with telling(progress, scene.name) as tell:
         return run_scene(scene, threads, tell)
 

@@ -21,7 +21,7 @@ from masonry import __version__
 from masonry.cli import commands
 from masonry.errors import SceneError, Stopped
 from masonry.runtime.ending import Ended, code_of, ended_by_signals, word_of
-from masonry.runtime.processors import processors
+from masonry.runtime.processors import AUTO, processors
 from masonry.runtime.shell import (
     OK,
     STOPPED,
@@ -65,7 +65,8 @@ def parser() -> Parser:
     run = added.add_parser("run", parents=[scene], help="run a scene and write its results")
     run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
     run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
-    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=f"threads, 1 (default) to {processors()}")
+    how_many = f"threads, 1 (default) to {processors()}, or auto: as many as the scene is worth"
+    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=how_many)
     run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
     run.set_defaults(action=commands.run_scene)
@@ -211,8 +212,12 @@ def _apart(command: str) -> Any:
         ) from None
 
 
-def _threads(text: str) -> int:
+def _threads(text: str) -> int | str:
     most = processors()
+    if text == AUTO:
+        return AUTO
     if not text.isdecimal() or not 1 <= int(text) <= most:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number of threads from 1 to {most}, the processors here")
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is not a number of threads from 1 to {most}, the processors here, nor {AUTO}"
+        )
     return int(text)

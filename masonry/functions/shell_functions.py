@@ -106,7 +106,7 @@ def write_export(scene: "SceneLike", to: Path, overwrite: bool) -> int:
     return specimen.blocks.count
 
 
-def resume(folder: str | Path, threads: int | None = None) -> "Result":
+def resume(folder: str | Path, threads: int | str | None = None) -> "Result":
     """Go on with a run of `masonry run` that was interrupted or killed, from its last checkpoint to its end.
 
     Its results are written to the folder; of a run that is finished they are read. Raises SceneError, or Stopped.
@@ -116,15 +116,13 @@ def resume(folder: str | Path, threads: int | None = None) -> "Result":
     1.37 MPa
     """
     from masonry.errors import Stopped
-    from masonry.laboratory.arguments import path, whole
+    from masonry.laboratory import arguments
     from masonry.laboratory.result import load_result
     from masonry.laboratory.run_command import resume_in
-    from masonry.runtime.processors import processors
     from masonry.runtime.shell import STOPPED
 
-    place = path("folder", folder)
-    number = None if threads is None else whole("threads", threads, 1, processors(), "a number of threads")
-    code = resume_in(place, number)
+    place = arguments.path("folder", folder)
+    code = resume_in(place, None if threads is None else arguments.threads(threads))
     result = load_result(place)
     if code == STOPPED:
         stop = Stopped(str(result.summary.stopped))

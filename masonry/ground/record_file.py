@@ -9,6 +9,7 @@ import csv
 import re
 from dataclasses import dataclass
 from decimal import Decimal
+from itertools import pairwise
 from math import isfinite
 from pathlib import Path
 
@@ -39,7 +40,7 @@ _PEER = re.compile(
     r"NPTS\s*=\s*(\d+)(?:\s*,?\s*DT\s*=\s*([\d.]+(?:E[-+]?\d+)?))?|(\d+)(?:\s+(\d*\.\d*))?\s+NPTS", re.IGNORECASE
 )
 _PEER_UNIT = re.compile(r"UNITS OF ([A-Z/0-9]+)", re.IGNORECASE)
-_DECIMAL_COMMA = re.compile(r"[-+]?\d+,\d{2,}")
+_WHOLE = re.compile(r"[-+]?\d+")
 _PER_SECOND = {"acceleration": "m/s^2", "velocity": "m/s", "displacement": "m"}
 NO_TIMES = "say the time from sample to sample, step = '0.01 s'"
 NO_THOUSANDS = "write nothing between thousands, and the decimal point alike in all numbers"
@@ -196,13 +197,23 @@ def _columns(
     """Names of the columns, from the lines above the numbers; `remark`: whether the last of these need not be names."""
     width = len(rows[0])
     header = _names_and_units([cells for cells in above[-2:] if len(cells) == width])
-    if header is not None or not above:
-        return header or [f"column {k + 1}" for k in range(width)]
-    if separator == "," and len(above[-1]) == 1 and all(len(cells) == width == 2 for cells in rows):
-        _refuse_decimal_comma(name, rows)
-    if width > 1 and separator and not remark:
+    if header is not None:
+        return header
+    if separator == "," and _are_halves(rows):
+        raise SceneError(
+            f"{name}: '{visible(','.join(rows[0])[:40])}' may be {'one number' if width == 2 else 'numbers'} with a "
+            "decimal comma: write the decimal point as '.', or separate columns by ';'; name columns of whole numbers"
+        )
+    if above and width > 1 and separator and not remark:
         raise SceneError(f"{name}: the line above the numbers names {len(above[-1])} columns, the numbers have {width}")
     return [f"column {k + 1}" for k in range(width)]
+
+
+def _are_halves(rows: list[list[str]]) -> bool:
+    """Whether these may be what stands before and behind decimal commas: whole numbers, an even number of them in each
+    row, of which the first are no times."""
+    whole = all(len(cells) % 2 == 0 and all(map(_WHOLE.fullmatch, cells)) for cells in rows)
+    return whole and not all(float(a[0]) < float(b[0]) for a, b in pairwise(rows))
 
 
 def _with_enough(record: RecordFile) -> RecordFile:
@@ -305,8 +316,6 @@ def _is_unit(text: str) -> bool:
 
 def _numbers(name: str, rows: list[list[str]], separator: str | None, width: int) -> np.ndarray:
     """(n, width) finite numbers."""
-    if separator == "," and all(map(_DECIMAL_COMMA.fullmatch, map(",".join, rows))):
-        _refuse_decimal_comma(name, rows)
     try:
         values = np.array([[_point(cell) for cell in cells] for cells in rows], dtype=float)
     except ValueError:
@@ -327,13 +336,6 @@ def _numbers(name: str, rows: list[list[str]], separator: str | None, width: int
                     f"{where}: {shown} is not a finite number; fill the gap, or leave out the rows before or after it"
                 )
     raise SceneError(f"{name}: its numbers cannot be read")
-
-
-def _refuse_decimal_comma(name: str, rows: list[list[str]]) -> None:
-    raise SceneError(
-        f"{name}: '{visible(','.join(rows[0])[:40])}' may be one number with a decimal comma: write the decimal point "
-        "as '.', or separate columns by ';'"
-    )
 
 
 def _require_one_point(name: str, rows: list[list[str]]) -> None:

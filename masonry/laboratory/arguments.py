@@ -28,6 +28,15 @@ def whole(name: str, value: Any, low: int, high: int, what: str = "a whole numbe
     raise refuse(name, value, f"{what} from {low} to {high}")
 
 
+def threads(value: Any) -> int | str:
+    """A number of threads, or AUTO."""
+    from masonry.runtime.processors import AUTO, processors
+
+    if isinstance(value, str) and value == AUTO:
+        return AUTO
+    return whole("threads", value, 1, processors(), f'"{AUTO}", or a number of threads')
+
+
 def number(name: str, value: Any, low: float, high: float) -> float:
     """A number from low to high."""
     if isinstance(value, Real) and not isinstance(value, bool) and low <= float(value) <= high:

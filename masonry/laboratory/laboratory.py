@@ -33,6 +33,7 @@ from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiling import prepare
 from masonry.timeloop.recording import Outcome
+from masonry.timeloop.threads import threads_for
 
 if TYPE_CHECKING:
     from masonry.laboratory.text import Report
@@ -44,9 +45,9 @@ FREQUENCIES = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 
 def run(
-    scene: Scene, threads: int = 1, progress: Progress | None = None, checkpointer: Checkpointer | None = None
+    scene: Scene, threads: int | str = 1, progress: Progress | None = None, checkpointer: Checkpointer | None = None
 ) -> Result:
-    """Run a scene to its end; `progress(step, steps, note)` is called between chunks.
+    """Run a scene to its end; `progress(step, steps, note)` is called between chunks. threads: a number or AUTO.
 
     Raises SceneError or GeometryError before anything is computed, Stopped (with `.result`, the rows up to the last
     trusted one) when the numbers can no longer be trusted. Ctrl-C ends the run; the result says so.
@@ -60,7 +61,7 @@ def run(
     if progress is not None:
         progress(0, 0, "building the specimen")
     assembly = assemble(scene)
-    compiling, settling = Seconds(), Seconds()
+    threads, compiling, settling = threads_for(assembly.model, threads), Seconds(), Seconds()
     if scene.has_dead_loads and scene.settle is None:
         compiling = prepare(assembly.model, threads, progress)
         begun = Seconds.now()

@@ -8,7 +8,7 @@ from typing import Any
 from masonry.errors import SceneError, Stopped
 from masonry.runtime.ending import word_of
 from masonry.runtime.interrupts import Interrupts, interruptible
-from masonry.runtime.processors import processors
+from masonry.runtime.processors import AUTO, processors
 from masonry.runtime.shell import OK, STOPPED, complain
 
 EVERY = 300.0
@@ -41,7 +41,9 @@ def resume(words: argparse.Namespace) -> int:
     return resume_in(words.folder, words.threads, words.checkpoint_every, words.quiet)
 
 
-def resume_in(folder: Path, threads: int | None = None, checkpoint_every: str | None = None, quiet: bool = True) -> int:
+def resume_in(
+    folder: Path, threads: int | str | None = None, checkpoint_every: str | None = None, quiet: bool = True
+) -> int:
     """Go on from the last checkpoint in a folder to the end, with the bits that the run would have had; what is not
     told is as the run was begun. Returns the exit code. Raises SceneError where there is nothing to go on with."""
     from masonry import scene
@@ -56,8 +58,7 @@ def resume_in(folder: Path, threads: int | None = None, checkpoint_every: str | 
             return _nothing_to_resume(folder, quiet)
         checkpoints.sweep_up()
         how = checkpoints.how()
-        begun = how.get("threads")
-        threads = threads or (min(begun, processors()) if isinstance(begun, int) and begun > 0 else 1)
+        threads = threads or _as_begun(how.get("threads"))
         before = how.get("checkpoint_every")
         every = _every(checkpoint_every, before if isinstance(before, float) and before > 0 else EVERY)
         loaded = scene.load(checkpoints.scene)
@@ -66,11 +67,18 @@ def resume_in(folder: Path, threads: int | None = None, checkpoint_every: str | 
         return going.carry_out(loaded.name)
 
 
+def _as_begun(threads: Any) -> int | str:
+    """Those that a run was begun with, as far as there are as many here; 1 where that is not told."""
+    if threads == AUTO:
+        return AUTO
+    return min(threads, processors()) if isinstance(threads, int) and threads > 0 else 1
+
+
 class _Run:
     """One run of a scene into a folder that this process holds."""
 
     def __init__(
-        self, scene: Any, checkpoints: Any, threads: int, every: float, interrupts: Interrupts, quiet: bool
+        self, scene: Any, checkpoints: Any, threads: int | str, every: float, interrupts: Interrupts, quiet: bool
     ) -> None:
         from masonry.laboratory.summary.provenance import provenance_of
         from masonry.scene import to_toml

@@ -42,13 +42,19 @@ def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarra
         masks["rigid"][rigid, 3:] = True
     else:
         for block in layout.of_kind(hold.blocks, "rigid") if hold.rotations else ():
-            masks["rigid"][
-                layout.local[block], [_rotation_dof(layout, block, k, hold.name) for k in hold.rotations]
-            ] = True
+            masks["rigid"][layout.local[block], 3:] |= _held_rotations(layout, block, hold)
     if layout.mesh is not None:
         for b in hold.blocks:
             masks["tets"][layout.mesh.node_start[b] : layout.mesh.node_start[b + 1], list(hold.axes)] = True
     return masks
+
+
+def _held_rotations(layout: Layout, block: int, hold: Hold) -> np.ndarray:
+    """(3,) which turns of a rigid block are held: one about a principal axis, or both that leave one about it."""
+    if len(hold.rotations) == 1:
+        return np.arange(3, 6) == _rotation_dof(layout, block, hold.rotations[0], hold)
+    (free,) = {0, 1, 2} - set(hold.rotations)
+    return np.arange(3, 6) != _rotation_dof(layout, block, free, hold)
 
 
 def _held_faces(blocks: Blocks, layout: Layout, hold: Hold, masks: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -78,7 +84,7 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
         row[:] = True
     elif hold.axes == (along,):
         row[along] = True
-        row[3:] |= np.arange(3, 6) != _rotation_dof(layout, block, along, hold.name)
+        row[3:] |= np.arange(3, 6) != _rotation_dof(layout, block, along, hold)
     else:
         raise SceneError(
             f"{hold.name}: the face of a rigid block can be a roller (fix '{'xyz'[along]}', its normal) or be held "
@@ -86,12 +92,13 @@ def _hold_rigid_face(row: np.ndarray, hold: Hold, normal: np.ndarray, layout: La
         )
 
 
-def _rotation_dof(layout: Layout, block: int, axis: int, name: str) -> int:
+def _rotation_dof(layout: Layout, block: int, axis: int, hold: Hold) -> int:
     """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z, which has to be a principal axis."""
     if abs(layout.axes[block, axis, axis]) < ALONG:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
+        held = " and ".join("xyz"[k] for k in hold.rotations) or "the other two axes"
         raise SceneError(
-            f"{name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
-            f"{'xyz'[axis]} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
+            f"{hold.name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
+            f"{held} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
     return 3 + axis

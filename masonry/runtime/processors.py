@@ -5,6 +5,9 @@ import platform
 import time
 from dataclasses import dataclass
 
+AUTO = "auto"
+"""As many threads as a scene is worth, in place of their number."""
+
 
 @dataclass(frozen=True)
 class Seconds:
@@ -28,6 +31,13 @@ class Seconds:
 def processors() -> int:
     """How many this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def free_processors() -> int:
+    """How many of these other programs have left idle in the last minute, as far as the system tells; this one was at
+    work itself."""
+    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
+    return max(0, processors() - int(busy))
 
 
 def compiled_for() -> str:

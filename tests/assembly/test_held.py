@@ -143,6 +143,16 @@ def test_a_block_turned_about_y_may_be_held_about_y_whatever_its_plan(displaceme
         assert result.summary["force_balance"] < 1e-9
 
 
+@pytest.mark.parametrize("displacements", ["small", "large"])
+def test_two_turns_may_be_held_that_leave_one_about_a_principal_axis(displacements):
+    """A plane motion, of a block that the two others are no principal axes of."""
+    scene = pressed((0.1, 0.12, 0.05), 30.0, displacements, '["x", "y", "rotation x", "rotation z"]')
+    block = assemble(scene).model.bodies[KINDS.index("rigid")].dt_over_mass[1]
+    assert (block == 0.0).tolist() == [True, True, True, True, False, True]
+    result = laboratory.run(scene)
+    assert result.summary["force_balance"] < 1e-9 and abs(result.history.rows["force"][-1]) > 1e3
+
+
 def test_principal_axes_are_those_of_space_where_they_may():
     """One axis alone stays in its place, whatever the order of the moments; three equal moments leave all open."""
     turn = np.array([[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]])

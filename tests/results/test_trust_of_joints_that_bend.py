@@ -194,6 +194,21 @@ def test_a_joint_that_is_pulled_open_evenly_and_shut_again_has_not_bent():
     assert "few_points" not in names(summary)
 
 
+def test_a_bed_that_opens_without_much_damage_is_held_against_one_of_many_points():
+    """A tough joint of little strength: pressure holds it, as far out as its points are."""
+    weak = {"tensile_strength": "10 kPa", "fracture_energy_mode_1": "10 N/m"}
+    over = {f"contact.unit_unit.{key}": value for key, value in weak.items()}
+    over |= {"traction.0.stress": {"z": "-0.3 MPa"}, "drive.displacement": "0.1 mm"}
+    few, many = (
+        laboratory.run(scene_runs.load("block-bent-at-its-bed", over | {"specimen.points_per_edge": {"x": n, "y": 2}}))
+        for n in (2, 30)
+    )
+    assert max(few.history.frames[-1].damage_tension) < 0.05
+    off = few.summary["peak_force_n"] / many.summary["peak_force_n"]
+    assert off < 0.8 and said(few.summary) == pytest.approx(off, abs=0.02)
+    assert "few_points" not in names(many.summary)
+
+
 def test_a_joint_whose_blocks_are_held_against_turning_does_not_bend():
     """Pulled open and pressed, in large displacement, where rounding turns it by next to nothing."""
     boxes = [box(f"b{k}", (0, 0, 0.05 * k), (0.1, 0.1, 0.05), "units", k) for k in range(2)]

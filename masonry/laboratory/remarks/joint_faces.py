@@ -33,6 +33,7 @@ class Faces(NamedTuple):
     glued      (J,) whether it has a tensile strength
     arm        (C, 3) m, from the middle of its face to each point
     inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 where they are in one row
+    tears_at   (C,) m, the opening beyond which a contact softens
     """
 
     patch: np.ndarray
@@ -47,6 +48,7 @@ class Faces(NamedTuple):
     glued: np.ndarray
     arm: np.ndarray
     inverse: np.ndarray
+    tears_at: np.ndarray
 
     def sums(self, values: np.ndarray) -> np.ndarray:
         """(J, ...) of values (C, ...)."""
@@ -59,8 +61,9 @@ class Faces(NamedTuple):
 
 class Look(NamedTuple):
     """The faces in a frame: normal force (J,) N, moment (J, 3) N m, turn (J, 3) rad, both as vectors towards where it
-    opens; whether a contact has torn (J,); twice the work (J,) J of bending with pulling, and of sliding, by the forces
-    and movements of this frame: `bends` and `slides` all of it, `bent` and `slid` without what is elastic."""
+    opens; whether a contact has torn or softens (J,); twice the work (J,) J of bending with pulling, and of sliding, by
+    the forces and movements of this frame: `bends` and `slides` all of it, `bent` and `slid` without what is elastic.
+    """
 
     force: np.ndarray
     moment: np.ndarray
@@ -88,12 +91,21 @@ def faces_of(assembly: Assembly) -> Faces:
     second *= (np.trace(second, axis1=1, axis2=2) > FLAT * area**2)[:, None, None]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
     normal = joints.normal[order[start[:-1]]]
-    return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse)
+    numbers = np.diff(model.groups.bounds.astype(np.int64))
+    tears_at = np.concatenate([_tears_at(joint, number) for joint, number in zip(properties, numbers, strict=True)])
+    return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse, tears_at)
 
 
 def is_glued(joint: JointProperties) -> bool:
     """Whether contacts of a group have a tensile strength, be it one that scatters."""
     return joint.tensile_strength is not None and bool(np.any(np.asarray(joint.tensile_strength) > 0.0))
+
+
+def _tears_at(joint: JointProperties, number: int) -> np.ndarray:
+    """(number,) m, the opening at which contacts of a group begin to soften; infinite for those without a strength."""
+    if not is_glued(joint):
+        return np.full(number, np.inf)
+    return np.broadcast_to(np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness), number)
 
 
 def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
@@ -113,7 +125,7 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
         force,
         moment,
         turn,
-        faces.sums((frame.damage_tension > LEAST_DAMAGE).astype(float)) > 0.0,
+        faces.sums(((frame.damage_tension > LEAST_DAMAGE) | (frame.opening > faces.tears_at)).astype(float)) > 0.0,
         _work(moment, turn) + tension * np.maximum(opening, 0.0),
         faces.sums(shear * frame.slip),
         _work(moment, turn - elastic) + tension * np.maximum(opening - elastic_opening, 0.0),
