@@ -96,9 +96,9 @@ def _rotation_dof(layout: Layout, block: int, axis: int, hold: Hold) -> int:
     """Which dof (3, 4 or 5) of a rigid block is its turn about x, y or z, which has to be a principal axis."""
     if abs(layout.axes[block, axis, axis]) < ALONG:
         place = ", ".join(f"{x:.4g}" for x in layout.centroid[block])
-        held = " and ".join("xyz"[k] for k in hold.rotations) or "the other two axes"
+        axes = " and ".join("xyz"[k] for k in hold.rotations) or "the other two axes"
         raise SceneError(
             f"{hold.name}: {'xyz'[axis]} is no principal axis of rigid block {block} at ({place}) m, so its turn about "
-            f"{held} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
+            f"{axes} cannot be held alone: fix 'rotation' or 'all', or put a rigid plate there"
         )
     return 3 + axis

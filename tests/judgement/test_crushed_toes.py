@@ -13,23 +13,26 @@ from tests.scenes import box, listed, load, specimen, tables
 SIDE, STRENGTH, SHARE = 0.2, 10e6, 0.1
 
 
-def inspection(points: int, where: str, every: bool = False, closing: float = 1e-3):
-    """A block on a slab, whose edge presses by as much as SHARE of its area crushes, and closed for good (m)."""
-    more = f'contact_points = "{where}"\npoints_per_edge = {points}'
+def scene(more: str, top: str = ""):
+    """A block on a slab, which may crush at its edges."""
     boxes = [slab(1.0), box("block", (0.0, 0.0, 0.0), (SIDE, SIDE, 0.1), "units", 1)]
     contact = (
         'law = "friction"\nnormal_stiffness = "10 GPa/m"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = 0.6\n'
         f'compressive_strength = "{STRENGTH!r} Pa"\ncrushing = "cut-off"'
     )
-    scene = load(
-        'kinematics = "rigid"\n'
+    return load(
+        f'{top}kinematics = "rigid"\n'
         + specimen(boxes, 0.01, more=more)
         + tables("material", {"units": 'density = "2000 kg/m^3"'})
         + tables("contact", {"unit_unit": contact})
         + listed("support", ['on = "slab"\nfix = "all"'])
         + '[drive]\non = "block"\ndirection = "z"\ndisplacement = "1 mm"\n'
     )
-    assembly = assemble(scene)
+
+
+def inspection(points: int, where: str, every: bool = False, closing: float = 1e-3):
+    """The block's edge presses by as much as SHARE of its area crushes, and closed for good (m)."""
+    assembly = assemble(scene(f'contact_points = "{where}"\npoints_per_edge = {points}'))
     joints, crushed = assembly.joints, assembly.model.state.crushed
     x = joints.point[:, 0] - SIDE / 2
     pressed = np.where(x > 0.5 * x.max(), 1.0, 0.0)
@@ -58,3 +61,10 @@ def test_a_joint_that_is_crushed_evenly_does_not_bend():
 def test_an_edge_that_only_begins_to_crush_bears_a_wedge_and_no_block(closing, said):
     """The joint presses by its strength at 1 mm."""
     assert bool(crushed_toes.doubts(inspection(2, "gauss", closing=closing))) is said
+
+
+@pytest.mark.parametrize(("points", "said"), [(2, True), (4, True), (6, False), (None, False)])
+def test_patches_with_fewer_points_than_a_toe_needs_are_told(points, said):
+    more = "" if points is None else f"patch_points_per_edge = {points}"
+    doubts = crushed_toes.doubts(inspected(assemble(scene(more, 'displacements = "large"\n')), []))
+    assert [doubt.value > doubt.limit for doubt in doubts] == [True] * said

@@ -33,7 +33,7 @@ class Faces(NamedTuple):
     glued      (J,) whether it has a tensile strength
     arm        (C, 3) m, from the middle of its face to each point
     inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 where they are in one row
-    tears_at   (C,) m, the opening beyond which a contact softens
+    tears_at   (C,) m, the opening beyond which a contact softens; infinite without a tensile strength
     """
 
     patch: np.ndarray
@@ -91,21 +91,16 @@ def faces_of(assembly: Assembly) -> Faces:
     second *= (np.trace(second, axis1=1, axis2=2) > FLAT * area**2)[:, None, None]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
     normal = joints.normal[order[start[:-1]]]
-    numbers = np.diff(model.groups.bounds.astype(np.int64))
-    tears_at = np.concatenate([_tears_at(joint, number) for joint, number in zip(properties, numbers, strict=True)])
+    tears_at, bounds = np.full(len(joints.area), np.inf), model.groups.bounds
+    for joint, first, end in zip(properties, bounds[:-1], bounds[1:], strict=True):
+        if is_glued(joint):
+            tears_at[first:end] = np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness)
     return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse, tears_at)
 
 
 def is_glued(joint: JointProperties) -> bool:
     """Whether contacts of a group have a tensile strength, be it one that scatters."""
     return joint.tensile_strength is not None and bool(np.any(np.asarray(joint.tensile_strength) > 0.0))
-
-
-def _tears_at(joint: JointProperties, number: int) -> np.ndarray:
-    """(number,) m, the opening at which contacts of a group begin to soften; infinite for those without a strength."""
-    if not is_glued(joint):
-        return np.full(number, np.inf)
-    return np.broadcast_to(np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness), number)
 
 
 def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:

@@ -7,14 +7,20 @@ of the joint that is farthest off; six Gauss points along an edge are within 4 %
 (docs/choose-settings.md). A joint that bears a tenth of the largest moment or less is not asked: head joints touch at a
 corner, where three points are off by a fifth, and walls bear the same with many. Nor is one whose edge crushed by far
 less than it closes elastically: its stress is still a wedge, which few points bear well, and no block.
+
+Patches of large displacement have ten points along an edge where blocks may crush. A scene that gives them fewer than
+six is told so whatever happened: with two, which stand for a quarter of a face each, a toe may never come to its
+strength.
 """
 
 import numpy as np
 
+from masonry.assembly.contact_pairs import points_along
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.joint_faces import MOST, corners_of, law_of
 from masonry.laboratory.remarks.joint_sections import Section, of_points, spread
+from masonry.scene import Scene
 
 OFF = 0.03
 """Of the moment of a joint."""
@@ -25,9 +31,33 @@ WEDGE = 0.1
 EVEN = 0.9
 """Of the largest plastic closing in a joint: where all points closed by more, it does not bend."""
 
+FEWEST = 6
+"""Points along an edge of a patch that may crush."""
+
 
 def doubts(inspection: Inspection) -> list[Doubt]:
-    """One at most; patches of large displacement have points of their own."""
+    """One at most."""
+    return _of_patches(inspection.assembly.scene) or _of_joints(inspection)
+
+
+def _of_patches(scene: Scene) -> list[Doubt]:
+    if not scene.is_large or all(contact.crushing is None for contact in scene.contact.values()):
+        return []
+    along = points_along(scene, True)
+    if along >= FEWEST or any(map(scene.is_meshed, scene.material)):  # each triangle of a mesh is a patch
+        return []
+    sentence = (
+        f"patches of blocks that may crush have {along} points along each edge: these see a toe late, or never, "
+        "and what it bears may be off by a third"
+    )
+    return [
+        Doubt(
+            "crushed_toes", 1.0 / along, 1.0 / FEWEST, sentence, "take specimen.patch_points_per_edge = 10, the default"
+        )
+    ]
+
+
+def _of_joints(inspection: Inspection) -> list[Doubt]:
     model = inspection.assembly.model
     crushed = model.state.crushed
     if crushed is None or not inspection.frames or not crushed[:, 0].any():
