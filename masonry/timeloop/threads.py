@@ -4,7 +4,7 @@ from masonry.configuration.configuration import configuration_of
 from masonry.model.model import Model
 from masonry.runtime.processors import AUTO, free_processors
 
-WORTH = 5000
+WORTH = 7000
 """Contact points and tets for each thread: of fewer, a step is over before threads have met."""
 
 
