@@ -11,9 +11,8 @@ WORTH = 7000
 def threads_for(model: Model, wish: int | str) -> int:
     """The wish, or for AUTO as many as the size of the model is worth and as processors have nothing else to do: a step
     waits for the last of its threads. Steps of large displacement are taken by one."""
-    if not isinstance(wish, str):
-        return wish
-    assert wish == AUTO
+    if wish != AUTO:
+        return int(wish)
     if configuration_of(model).any_size:
         return 1
     mesh = model.layout.mesh

@@ -78,7 +78,13 @@ def turned(fix: str):
 
 
 @pytest.mark.parametrize(
-    ("fix", "held"), [('"rotation z"', [5]), ('["x", "rotation y"]', [0, 4]), ('"rotation"', [3, 4, 5])]
+    ("fix", "held"),
+    [
+        ('"rotation z"', [5]),
+        ('["rotation z", "rotation z"]', [5]),
+        ('["x", "rotation y"]', [0, 4]),
+        ('"rotation"', [3, 4, 5]),
+    ],
 )
 def test_a_support_may_hold_single_turns_of_a_rigid_block(fix, held):
     scene = turned(fix)

@@ -50,11 +50,8 @@ def _of_patches(scene: Scene) -> list[Doubt]:
         f"patches of blocks that may crush have {along} points along each edge: these see a toe late, or never, "
         "and what it bears may be off by a third"
     )
-    return [
-        Doubt(
-            "crushed_toes", 1.0 / along, 1.0 / FEWEST, sentence, "take specimen.patch_points_per_edge = 10, the default"
-        )
-    ]
+    advice = "take specimen.patch_points_per_edge = 10, the default"
+    return [Doubt("crushed_toes", 1.0 / along, 1.0 / FEWEST, sentence, advice)]
 
 
 def _of_joints(inspection: Inspection) -> list[Doubt]:
