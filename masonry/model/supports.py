@@ -51,10 +51,9 @@ def held_dofs(blocks: Blocks, layout: Layout, hold: Hold) -> dict[str, np.ndarra
 
 def _held_rotations(layout: Layout, block: int, hold: Hold) -> np.ndarray:
     """(3,) which turns of a rigid block are held: one about a principal axis, or both that leave one about it."""
-    axes = sorted(set(hold.rotations))
-    if len(axes) == 1:
-        return np.arange(3, 6) == _rotation_dof(layout, block, axes[0], hold)
-    (free,) = {0, 1, 2}.difference(axes)
+    if len(hold.rotations) == 1:
+        return np.arange(3, 6) == _rotation_dof(layout, block, hold.rotations[0], hold)
+    (free,) = {0, 1, 2}.difference(hold.rotations)
     return np.arange(3, 6) != _rotation_dof(layout, block, free, hold)
 
 
