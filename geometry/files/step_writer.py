@@ -9,6 +9,7 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.meshes.skeleton import split_edges, weld_loops
+from geometry.polyhedra.indexing import Lists, following
 from geometry.polyhedra.measures import extent, face_areas_normals_centroids
 
 WIDTH = 1e-9
@@ -149,11 +150,13 @@ def _list(kind: str, members: Sequence[str]) -> str:
 
 def _shell(blocks: Blocks, b: int, width: float) -> tuple[np.ndarray, list[list[int]]]:
     """Corners and faces of a block, every edge in two faces: corners on the edges of other faces are put in."""
-    vertices, loops = weld_loops([blocks.face(f) for f in blocks.faces_of(b)], width)
-    edges = {(i, j) for loop in loops for i, j in zip(loop, loop[1:] + loop[:1], strict=True)}
+    faces = Lists(blocks.face_start, blocks.face_points).taken(np.array(blocks.faces_of(b)))
+    vertices, loops = weld_loops(blocks.points[faces.entry], faces.start, width)
+    begin, end = loops.entry.tolist(), loops.entry[following(loops.start)].tolist()
+    edges = set(zip(begin, end, strict=True))
     if all((j, i) in edges for i, j in edges):
-        return vertices, loops
-    return vertices, split_edges(vertices, loops, width)
+        return vertices, loops.lists()
+    return vertices, split_edges(vertices, loops, width).lists()
 
 
 def _axes(step: _Entities, place: Sequence[float], axis: Sequence[float], across: Sequence[float]) -> str:

@@ -22,10 +22,10 @@ def mesh_by_fans(blocks: Blocks, meshed: np.ndarray, joints: Joints) -> tuple[Te
     meshed = np.asarray(meshed, dtype=bool)
     skeleton = imprint(blocks, meshed, joints)
     _require_whole_faces(blocks, skeleton)
-    points, triangle, surface = surface_triangles(skeleton.vertices, skeleton.surfaces)
+    points, triangle, surface = surface_triangles(skeleton.vertices, skeleton.loops)
     order = np.argsort(surface, kind="stable")
     triangle, surface = triangle[order], surface[order]
-    patch = np.full(len(skeleton.surfaces), -1)
+    patch = np.full(len(skeleton.surface_start) - 1, -1)
     on = np.flatnonzero(skeleton.patch_surface >= 0)
     patch[skeleton.patch_surface[on]] = on
     owner, t = _faces_of_blocks(skeleton, surface)
@@ -48,19 +48,20 @@ def mesh_by_fans(blocks: Blocks, meshed: np.ndarray, joints: Joints) -> tuple[Te
 
 
 def _require_whole_faces(blocks: Blocks, skeleton: Imprint) -> None:
-    for b, own in enumerate(skeleton.block_surfaces):
-        if any(len(skeleton.surfaces[s]) > 1 for s in own):
-            raise GeometryError(
-                f"a fan of tets cannot fill block {b} (unit {blocks.unit[b]}): a face of it goes all round a joint; "
-                "mesh it by mesh_size"
-            )
+    has_holes = np.diff(skeleton.surface_start) > 1
+    holed = np.flatnonzero(has_holes[skeleton.block_surfaces.entry])
+    if len(holed):
+        b = int(np.searchsorted(skeleton.block_surfaces.start, holed[0], side="right")) - 1
+        raise GeometryError(
+            f"a fan of tets cannot fill block {b} (unit {blocks.unit[b]}): a face of it goes all round a joint; "
+            "mesh it by mesh_size"
+        )
 
 
 def _faces_of_blocks(skeleton: Imprint, surface: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Block and triangle of every triangle on every block, block by block; surface (M,) of each triangle, rising."""
-    first = np.searchsorted(surface, np.arange(len(skeleton.surfaces) + 1))
-    block = np.repeat(np.arange(len(skeleton.block_surfaces)), [len(own) for own in skeleton.block_surfaces])
-    own = np.array([s for own in skeleton.block_surfaces for s in own], dtype=np.int64)
+    first, own = np.searchsorted(surface, np.arange(len(skeleton.surface_start))), skeleton.block_surfaces.entry
+    block = np.repeat(np.arange(skeleton.block_surfaces.count), skeleton.block_surfaces.lengths)
     pair, triangle = ranges(first[own], np.diff(first)[own])
     return block[pair], triangle
 

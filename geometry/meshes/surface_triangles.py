@@ -1,12 +1,10 @@
 """Flat surfaces of a skeleton cut into triangles, the same for both blocks that share a surface."""
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from geometry.blocks import GeometryError
-from geometry.meshes.skeleton import Loop
 from geometry.polyhedra.convexity import reflex, triangles
+from geometry.polyhedra.indexing import Lists
 from geometry.polyhedra.polygons import areas_normals_centroids
 
 NARROW = 0.5
@@ -15,21 +13,19 @@ FLAT = 1e-9
 """Height over longest side below which a triangle has no area."""
 
 
-def surface_triangles(
-    vertices: np.ndarray, surfaces: Sequence[Sequence[Loop]]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def surface_triangles(vertices: np.ndarray, outlines: Lists) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Vertices with added centroids (V', 3), triangles (M, 3) in the surface's sense, and the surface of each (M,).
 
+    outlines  the loop of vertices round each surface
     Convex surfaces get a fan from the corner that suits best, or from their centroid where every corner gives narrow
     triangles. Surfaces have no holes. Raises GeometryError for one that is not convex and that no triangles fit to.
     """
     parts: list[tuple[np.ndarray, np.ndarray]] = []
     added: list[np.ndarray] = []
     count = len(vertices)
-    sizes = np.array([len(outline) for (outline,) in surfaces])
-    for n in np.unique(sizes).tolist():
-        which = np.flatnonzero(sizes == n)
-        loop = np.array([surfaces[s][0] for s in which.tolist()])
+    for n in np.unique(outlines.lengths).tolist():
+        which = np.flatnonzero(outlines.lengths == n)
+        loop = outlines.entry[outlines.start[which][:, None] + np.arange(n)]
         bent = reflex(vertices[loop], np.full(len(loop), n))
         parts += [(triangle, np.full(n - 2, s)) for s, triangle in _ears(vertices, loop[bent], which[bent])]
         loop, which = loop[~bent], which[~bent]

@@ -1,6 +1,7 @@
 """Tets inside blocks by gmsh, matching node to node across joints."""
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -56,9 +57,10 @@ def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int,
     for v, point in enumerate(skeleton.vertices / scale):
         geo.addPoint(*point, size, v + 1)
     lines: dict[tuple[int, int], int] = {}
-    for s, loops in enumerate(skeleton.surfaces):
+    loops = skeleton.loops.lists()
+    for s, (first, last) in enumerate(pairwise(skeleton.surface_start.tolist())):
         loop_tags = []
-        for loop in loops:
+        for loop in loops[first:last]:
             curves = []
             for start, end in zip(loop, loop[1:] + loop[:1], strict=True):
                 key = (min(start, end), max(start, end))
@@ -68,7 +70,7 @@ def _build(gmsh: Any, skeleton: Imprint, scale: float, size: float) -> dict[int,
             loop_tags.append(geo.addCurveLoop(curves))
         geo.addPlaneSurface(loop_tags, s + 1)
     volumes = {}
-    for block, surfaces in enumerate(skeleton.block_surfaces):
+    for block, surfaces in enumerate(skeleton.block_surfaces.lists()):
         if surfaces:
             volumes[block] = geo.addVolume([geo.addSurfaceLoop([s + 1 for s in surfaces])])
     geo.synchronize()
