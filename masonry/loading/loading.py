@@ -89,6 +89,6 @@ class Loading(Remembering, ABC):
         """The sudden cracks so far."""
         return []
 
-    def outcome(self) -> LoadingOutcome:
-        """What has come of it."""
+    def outcome(self, peak: float) -> LoadingOutcome:
+        """What has come of it; peak: N, the largest force of the drive at any step, signed as `look` is shown it."""
         return LoadingOutcome()

@@ -265,7 +265,8 @@ class Loop:
         self.outcome.take_extremes_of_rows()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
-        self.outcome.loading, self.outcome.events = self.loading.outcome(), self.loading.events
+        peak = self.recording.sign * self.outcome.peak_force
+        self.outcome.loading, self.outcome.events = self.loading.outcome(peak), self.loading.events
         self.outcome.history.frames = [frames[step] for step in sorted(frames)]
 
     def state(self) -> State:

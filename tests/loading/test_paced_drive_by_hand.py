@@ -7,7 +7,9 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
+from masonry.loading.drive.adaptive_settings import SETTINGS
 from masonry.loading.drive.increments import DriveRow
+from masonry.loading.drive.utilisation import Dry
 from masonry.loading.programs import rise
 from masonry.monitors.events import Event, SuddenCracks, table
 from masonry.rows.cycles import bounds
@@ -66,11 +68,33 @@ def test_a_sudden_crack_is_no_drag_and_drag_at_the_peak_is_that_of_the_force_tha
         (0.0, 4.0, 0.03, 40.0),
         (0.02, 2.0, 0.9, 20.0),
     ]
-    outcome = pace.outcome()
+    outcome = pace.outcome(40.0)
     assert outcome.mean_lag == pytest.approx((0.01 + 0.09 + 0.04) / 10.0)
     assert outcome.largest_lag == 0.03 and outcome.drag_at_peak == 0.03
     pace.increments.settled_force = 40.0
-    assert pace.outcome().drag_at_peak == 0.0, "the force was as high before the drive"
+    assert pace.outcome(40.0).drag_at_peak == 0.0, "the force was as high before the drive"
+
+
+def test_where_contacts_are_dry_what_was_not_borne_in_three_steady_rows_on_end_is_drag_as_well():
+    """Pushed back: 38 N were borne; 40 N in a swing, 39 N between two rows that were not expected, 50 N in a fall."""
+    dry = Dry(paced().model, SETTINGS, 0.01)
+    assert (dry.excess(0.0), dry.excess(-40.0)) == (0.0, 1.0), "nothing moved, nothing was borne"
+    for force in (38.0, 38.5, 38.1, 37.0, 40.0, 37.5):
+        dry.see(-force, 1.0)
+    for force, trust in ((39.0, 0.9), (39.0, 1.0), (39.0, 0.9), (50.0, 1.0), (50.0, 1.0), (50.0, 1.0)):
+        dry.see(-force, trust)
+    assert dry.excess(-40.0) == pytest.approx(1.0 - 38.0 / 40.0)
+    again = Dry(paced().model, SETTINGS, 0.01)
+    again.restore(dry.state())
+    assert again.excess(-40.0) == dry.excess(-40.0)
+
+
+def test_what_dry_faces_may_part_by_and_how_the_force_may_rise_go_with_the_accuracy():
+    coarse, fine = (Dry(paced().model, SETTINGS, accuracy) for accuracy in (0.1, 0.01))
+    coarse.parting = fine.parting = 1e-6
+    assert coarse.shortest(0.0) == 1e-6 and fine.shortest(0.0) == pytest.approx(0.2e-6)
+    assert coarse.shortest(0.1) == 1e-4 and fine.shortest(0.1) == pytest.approx(0.2e-4)
+    assert coarse.factor(0.05, 0.025) == pytest.approx(0.5) and fine.factor(0.005, 0.01) == pytest.approx(0.5)
 
 
 def test_an_increment_makes_four_tenths_of_the_way_that_is_left_to_the_first_damage():

@@ -165,7 +165,7 @@ class GrowingLoading(Loading):
         now, whole = self.progress()
         return Effort(now, FEWER * (whole - now), MORE * (whole - now)) if branch.led else Effort(now, whole, inf)
 
-    def outcome(self) -> CollapseOutcome:
+    def outcome(self, peak: float) -> CollapseOutcome:
         """The interval of the factor, the mechanism, and the branch behind it."""
         trials, enclosing, tally = self.trials, self.trials.enclosing, self.trials.tally
         return CollapseOutcome(

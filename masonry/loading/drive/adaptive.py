@@ -135,8 +135,8 @@ def share_of_cracks(model: Model) -> float:
 @dataclass(frozen=True)
 class AdaptiveOutcome(LoadingOutcome):
     """What was asked for, and what was reached after the first damage: lags over the work done, their mean over the
-    path, and the share of the largest force that damping took where that force was reached; none if that was before
-    the drive."""
+    path, and the share of the largest force that damping took where that was reached, with dry contacts inertia as
+    well; none if that was before the drive."""
 
     accuracy: float
     increments: int
@@ -163,7 +163,7 @@ class AdaptiveLoading(Loading):
         self.settling = plan.settling().loading(model, max(1, rows // settings.settling_rows))
         self.path, self.speed = DrivePath(plan.reversals or (plan.displacement,)), DriveSpeed(model, settings)
         self.speed.target = self.at_once * settings.first
-        self.guide, self.dry = Predictor(model), Dry(model, settings)
+        self.guide, self.dry = Predictor(model), Dry(model, settings, plan.accuracy)
         self.approach, self.bounds = Approach(model), Bounds(model, plan.accuracy, settings)
         self.increments, self.pause = Increments(), DrivePause(model, settings)
 
@@ -257,6 +257,7 @@ class AdaptiveLoading(Loading):
             damped = self.dry.damping(row.damped, self.guide)
             factor = self.bounds.factor(row, last, self.guide.kinetic, damped, self.speed.takes_few_steps)
             if self.model.dry:
+                self.dry.see(row.force, self.guide.trust)
                 factor = min(factor, self.dry.factor(rise / last.most_force, self.bounds.unit))
         follows = approach.elastic or self.guide.trust > settings.unexpected
         follows = follows or abs(row.kinetic) <= settings.rest.energy * row.stored
@@ -301,17 +302,19 @@ class AdaptiveLoading(Loading):
         """The sudden cracks so far."""
         return self.pause.cracks.events
 
-    def outcome(self) -> AdaptiveOutcome:
+    def outcome(self, peak: float) -> AdaptiveOutcome:
         """How far the drive ran ahead, and what damping took."""
         lag, travel, drag, force = np.array(self.bounds.looks or [DragLook(0.0, 1.0, 0.0, 0.0)]).T
-        peak = int(np.argmax(force))
-        rises = force[peak] > self.increments.settled_force
+        highest = int(np.argmax(force))
+        held_up = float(drag[max(highest - 1, 0) : highest + 1].max())
+        if self.model.dry:
+            held_up = max(held_up, self.dry.excess(peak))
         return AdaptiveOutcome(
             accuracy=self.plan.accuracy,
             increments=self.increments.count,
             mean_lag=float(lag @ travel / max(travel.sum(), 1e-300)),
             largest_lag=float(lag.max()),
-            drag_at_peak=float(drag[max(peak - 1, 0) : peak + 1].max()) if rises else 0.0,
+            drag_at_peak=held_up if force[highest] > self.increments.settled_force else 0.0,
         )
 
     def parts(self) -> Mapping[str, Remembers]:

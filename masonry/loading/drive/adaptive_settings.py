@@ -15,8 +15,14 @@ class AdaptiveSettings:
     curve              accuracy of increments there, at one of `fine` or coarser: only the curve is followed
     coarsest, finest   increments in which the whole displacement is made, at least and at most
     first              share of the displacement that the first increment makes
-    parting, shortest  the same over the deepest overlap of blocks under the dead loads, where patches may part; and
-                       the least increment there over the path so far
+    parting, shortest  where patches may part, the same over the deepest overlap of blocks under the dead loads, and the
+                       least increment over the path so far; both at an accuracy of `parts` or coarser, and as much
+                       finer as that is
+    lifts              accuracies by which the force of the drive may change there, over the largest: a block that lifts
+                       off sets out with a jerk, and the drive bears a share of its weight too much that goes with the
+                       speed: 0.2 (stocky) to 0.45 (slender) of the increment over the overlap
+    steady             share of the kinetic energy that was expected, from which on the drive bears as much
+                       as it would at rest
     learning           increments before the speed may rise
     intact             nothing counts as damaged while fracture has taken less than this share of the stored energy
     rise, fall         most and least change of the speed from one increment to the next, while all is elastic
@@ -54,6 +60,9 @@ class AdaptiveSettings:
     first: float = 1e-4
     parting: float = 0.1
     shortest: float = 1e-3
+    parts: float = 0.05
+    lifts: float = 0.25
+    steady: float = 0.99
     learning: int = 4
     intact: float = 1e-6
     rise: float = 2.0

@@ -1,6 +1,7 @@
 """How near the contacts are to leaving their elastic answer for the first time."""
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import Seen
@@ -9,7 +10,10 @@ from masonry.laws.state import JointProperties
 from masonry.loading.drive.adaptive_settings import AdaptiveSettings
 from masonry.loading.drive.predictor import Predictor
 from masonry.model.model import Model
-from masonry.runtime.state_file import Remembering
+from masonry.runtime.state_file import State, attributes, load_attributes
+
+STEADY = 3
+"""Rows on end in which a force is borne, so that half a swing is none."""
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
@@ -44,19 +48,19 @@ def pressed_over_cap(joint: JointProperties, sigma: np.ndarray, tau: np.ndarray)
     return np.asarray(np.sqrt(pressed) / begins)
 
 
-class Dry(Remembering):
+class Dry:
     """What a drive goes by where contacts are patches (Model.dry): these do not tell how near they are to part or to
     slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
-    parting   m, the shortest path in which faces may part, which the first increment makes
+    parting   m, a path in which faces hardly part
     stiffest  N/m, the largest stiffness so far: contacts still swing by it where the specimen has none any more
+    rows      of each increment: the drive's force (N, signed), and the share of the kinetic energy that was expected
     """
 
-    REMEMBERED = ("parting", "stiffest")
-
-    def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
-        self.model, self.settings = model, settings
+    def __init__(self, model: Model, settings: AdaptiveSettings, accuracy: float) -> None:
+        self.model, self.settings, self.accuracy = model, settings, accuracy
         self.parting, self.stiffest = np.inf, 0.0
+        self.rows: list[tuple[float, float]] = []
 
     def begin(self) -> None:
         """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
@@ -65,13 +69,29 @@ class Dry(Remembering):
             self.parting = self.settings.parting * pressed
 
     def shortest(self, moved: float) -> float:
-        """The least increment (m) after a path (m)."""
-        return max(self.parting, self.settings.shortest * moved)
+        """The least increment (m) after a path (m); the first one makes as much."""
+        return min(self.accuracy / self.settings.parts, 1.0) * max(self.parting, self.settings.shortest * moved)
 
     def factor(self, rise: float, unit: float) -> float:
         """Of the speed, after an increment whose force rose or fell by a share `rise` of the largest; what lifts off at
         such a speed hardly overshoots."""
-        return float(np.clip(self.settings.rises * unit / max(rise, 1e-12), self.settings.slower, self.settings.faster))
+        settings = self.settings
+        rises = min(settings.rises * unit, settings.lifts * self.accuracy)
+        return float(np.clip(rises / max(rise, 1e-12), settings.slower, settings.faster))
+
+    def see(self, force: float, trust: float) -> None:
+        """The force (N) of the drive, after an increment of whose kinetic energy such a share was expected."""
+        self.rows.append((force, trust))
+
+    def excess(self, peak: float) -> float:
+        """Share of the largest force (N) at any step of the drive by which it is more than what was borne steadily, in
+        rows on end: damping and inertia of what lifts off took the rest. What was borne beyond it came in a fall."""
+        if peak == 0.0 or len(self.rows) < STEADY:
+            return float(peak != 0.0)
+        force, trust = np.array(self.rows).T
+        along, least = sliding_window_view([force / peak, trust], STEADY, axis=1).min(axis=2)
+        borne = along[(least >= self.settings.steady) & (along <= 1.0)]
+        return float(1.0 - borne.max(initial=0.0))
 
     def stiffness(self, reach: float, force: float) -> float | None:
         """N/m, after the drive's force (N) at the farthest place (m) so far; None where nothing has parted."""
@@ -83,3 +103,12 @@ class Dry(Remembering):
         """J that damping took so far, of J in the ledger; of dry contacts less what it lent to the expected motion,
         which it gets back."""
         return damped + (guide.kinetic if self.model.dry else 0.0)
+
+    def state(self) -> State:
+        """All but what it is made of."""
+        return {**attributes(self, ("parting", "stiffest")), "rows": np.array(self.rows).reshape(-1, 2)}
+
+    def restore(self, state: State) -> None:
+        """Go on from there."""
+        load_attributes(self, ("parting", "stiffest"), state)
+        self.rows = [(force, trust) for force, trust in state["rows"].tolist()]

@@ -1,5 +1,7 @@
 """Does damping hold up the peak? Its force over that of the drive, at the peak: the peak may be too high by as much.
 
+Where contacts are dry, what was not borne steadily, as inertia of what lifts off holds it up as well.
+
 The limit is the accuracy that the drive was asked for.
 """
 
