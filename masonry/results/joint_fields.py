@@ -11,7 +11,7 @@ import numpy as np
 
 from geometry.blocks import Joints
 from geometry.joints.tributary_areas import tiles
-from masonry.results.deformation import BlockCorners, Deformation
+from masonry.results.deformation import BlockCorners, Deformation, displaced
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.results.vtkhdf import VTK_POLYGON, Data, VtkCells, write
 from masonry.rows.history import Frame
@@ -34,7 +34,6 @@ class JointGrid:
         self._last: tuple[Frame, _Motion] | None = None
         start, points = tiles(joints)
         self.owner = np.repeat(np.arange(len(joints.area)), np.diff(start))
-        self.arm = points - joints.point[self.owner]
         self.cells = VtkCells(
             points=points,
             connectivity=np.arange(len(points)),
@@ -57,13 +56,14 @@ class JointGrid:
 
     def point_data(self, frame: Frame) -> Data:
         """`displacement` (points, 3) m: the mean of the two sides."""
-        motion, moved, start = self._motion(frame), np.empty_like(self.arm), self.cells.offsets
+        motion, corner, start = self._motion(frame), self.cells.points, self.cells.offsets
+        moved = np.empty_like(corner)
         for begin in range(0, self.cells.count, IN_CACHE):
             contacts = slice(begin, min(begin + IN_CACHE, self.cells.count))
             middle, gradient = motion.of_middle(self.joints, contacts)
             points = slice(start[contacts.start], start[contacts.stop])
-            owner = self.owner[points] - begin
-            moved[points] = middle[owner] + np.einsum("pij,pj->pi", gradient[owner], self.arm[points])
+            owner, centre = self.owner[points] - begin, self.joints.point[contacts]
+            moved[points] = displaced(owner, corner[points], centre, middle, gradient)
         return {"displacement": moved}
 
     def cell_data(self, frame: Frame) -> Data:
