@@ -18,6 +18,8 @@ FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
 NO_SHIFT = np.zeros((0, 3)), np.zeros((0, 3))
 BARS = "bars"
 """The name of what bars do that end in space, among supports."""
+QUIET = "quiet boundaries"
+"""The name of what the dashpots of quiet boundaries do, among supports."""
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -67,6 +69,8 @@ class Surroundings:
             self.holds.append(Outer(name, _parts({kind: own[kind].astype(float) for kind in KINDS})))
         if conditions.bars is not None and conditions.bars.ends_in_space.any():
             self.holds.append(Outer(BARS, {}))
+        if conditions.quiet is not None:
+            self.holds.append(Outer(QUIET, {}))
         for name, load in conditions.each_load.items():
             varies = next((k for k, varying in enumerate(conditions.varying) if varying is load), None)
             points = tuple(conditions.at_points.get(name, ()))
@@ -88,6 +92,8 @@ class Surroundings:
         for k, one in enumerate(self.holds):
             if one.name == BARS:
                 reactions[k] = forces_of_fixed_ends(model, configuration_of(model).any_size)
+            if one.name == QUIET:
+                reactions[k] = of_quiet_faces(model)
             for kind, (rows, mask) in one.parts.items():
                 reactions[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
         loads = self.resultants(model, load_factors)
@@ -161,6 +167,15 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
         damping += part.resultant(ALL, np.where(part.free, part.body.hold, 0.0))
         inertia -= part.resultant(ALL, part.gained(old) / model.dt)
     return damping, inertia
+
+
+def of_quiet_faces(model: Model) -> np.ndarray:
+    """(6,) of the dashpots of quiet boundaries, on all dofs that are free."""
+    quiet, total = dict(zip(KINDS, model.quiet or (), strict=False)), np.zeros(6)
+    for part in parts_of(model):
+        if (rows := quiet.get(part.name)) is not None:
+            total += part.resultant(rows.row, np.where(part.free[rows.row], rows.force, 0.0))
+    return total
 
 
 class WorkOfLoads(Observer):

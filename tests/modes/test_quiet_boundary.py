@@ -60,8 +60,10 @@ def test_a_wave_through_the_foot_of_a_stack_brings_it_to_rest_elsewhere_and_the_
     gauge = {"gauge": [{"name": "top", "at": "block 4", "direction": "x"}]}
     quiet = [{"on": "foot.z-", "wave": WAVE}]
     scene = keys(kinematics, quiet, support=[], motion=[], **gauge) | {"solver.duration": "400 ms"}
-    rows = result_of("stack", scene).history.rows
+    result = result_of("stack", scene)
+    rows, summary = result.history.rows, result.summary
     assert np.abs(rows["imbalance"]).max() < 1e-10 * rows["external_work"].max()
+    assert summary["force_balance"] < 1e-9, "with what the dashpots take"
     assert rows["top"][-1] == pytest.approx(2.0 * 0.5e-3 * 2e-3, rel=0.02)
     assert rows["kinetic"][-1] < 1e-2 * rows["kinetic"].max()
 
@@ -76,6 +78,7 @@ def test_what_a_support_holds_stays_and_weight_rests_on_it():
     assert -1e-4 < blocks < 0.0
     reactions = result.summary["reactions"]
     assert reactions, "what the support bears is told"
+    assert result.summary["force_balance"] < 1e-9
 
 
 def test_large_displacement_has_the_same_waves():
@@ -85,7 +88,9 @@ def test_large_displacement_has_the_same_waves():
         quiet = [{"on": "block 1.x-", "wave": WAVE}, {"on": "block 1.x+"}]
         small = keys(kinematics, quiet, **one) | gauge
         large = small | {"displacements": "large", "solver.time_step": assembled_step(small)}
-        ends = [result_of("stack", scene).history.rows["top"][-1] for scene in (small, large)]
+        results = [result_of("stack", scene) for scene in (small, large)]
+        assert max(result.summary["force_balance"] for result in results) < 1e-9
+        ends = [result.history.rows["top"][-1] for result in results]
         assert ends[1] == pytest.approx(ends[0], rel=1e-4) and ends[0] > 5e-7
 
 
