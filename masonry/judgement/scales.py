@@ -21,7 +21,7 @@ Rows = dict[str, np.ndarray]
 class Scales:
     """What is measured against what, in SI, of n rows.
 
-    in_real_time    whether the masses are real and displacements large: what moves will not be damped
+    in_real_time    whether the run is a motion in time: what moves will not be damped
     settled         number of the last row of the settling
     counting        (n,) bool, the rows at which a slow test is held against rest
     before_fall     the rows before the fall of a load that goes to and fro; all rows of any other run
@@ -58,7 +58,7 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
     rows = outcome.history.rows
     settled = int(np.searchsorted(rows["step"], plan.settle, side="right")) - 1
     before_fall = before_a_fall(rows, outcome.loading.falls) if scene.loops_over else rows
-    pushed, in_real_time = work_of_force(rows), scene.is_large and not model.scaled
+    pushed, in_real_time = work_of_force(rows), scene.moves_in_time and not model.scaled
     work = float(np.abs(rows["external_work"]).max())
     moved = max(work, float(np.abs(outcome.found["work_of_loads"]).max(initial=0.0)))
     dissipated = sum(float(rows[key][-1]) for key in dissipated_in(rows))

@@ -100,7 +100,7 @@ def analyse(
     if progress is not None and plane_of(loads.bodies, contacts) is None:
         progress.begin(size_words(contacts, method, wishes.dilation))
     say_what_it_is(result, contacts, result.method, wishes.dilation)
-    result.remarks += scene_remarks(scene, specimen, joints, contacts, wishes.strength)
+    result.remarks += scene_remarks(scene, specimen, joints, contacts, wishes.strength, wishes.crushing is not None)
     if wishes.crushing is not None:
         result.remarks.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
     if wishes.safety:

@@ -64,6 +64,13 @@ def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> list[str]
     return [name for name in names if any(_strengths(scene, name, True)[1:])]
 
 
+def crushing_strengths(scene: Scene, specimen: Specimen, joints: Joints) -> dict[str, float]:
+    """By group of contacts that crush in a run, the compressive strength (Pa)."""
+    names, _ = contact_groups(specimen.blocks, joints)
+    tables = {name: scene.contact_of(name) for name in names}
+    return {name: float(table.compressive_strength or 0.0) for name, table in tables.items() if table.crushing}
+
+
 def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
     """Whether all that slides in the scene rises by its friction angle, as it does in a limit analysis.
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError
-from masonry.limit_analysis.contact_strengths import rises, sliding_fraction, strong_groups
+from masonry.limit_analysis.contact_strengths import crushing_strengths, rises, sliding_fraction, strong_groups
 from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
@@ -36,7 +36,7 @@ def say_what_it_is(result: LimitData, contacts: RigidContacts, method_word: str,
 
 
 def scene_remarks(
-    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool
+    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool, crushes: bool
 ) -> list[str]:
     """What a limit analysis takes otherwise than the scene has it."""
     remarks = []
@@ -48,6 +48,12 @@ def scene_remarks(
         )
     if not strength:
         remarks.append("without cohesion and tension, with the friction that is left once they are gone")
+    crushing = {} if crushes else crushing_strengths(scene, specimen, joints)
+    if crushing:
+        remarks.append(
+            f"joints of {', '.join(crushing)} crush in a run, and bear any pressure here: it may fall earlier; "
+            f'--crushing "{min(crushing.values()) * 1e-6:g} MPa" takes that as a plastic strength'
+        )
     if any(scene.deforms(g) for g in specimen.blocks.groups):
         remarks.append("every block is taken as rigid")
     if scene.scatter is not None:

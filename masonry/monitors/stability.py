@@ -111,6 +111,21 @@ class Watch(Observer):
             self.rotation = max(self.rotation, most)
 
 
+class Swings(Observer):
+    """How far swings go in a step: the mean of (w dt)^2 over the rows so far, with w their angular frequency, by energy."""
+
+    REMEMBERED = ("changes", "motion")
+
+    def __init__(self) -> None:
+        self.changes = self.motion = 0.0
+
+    def look(self, model: Model, view: View, step: int) -> dict[str, float]:
+        for part, old in zip(parts_of(model), () if view.settling else view.before, strict=False):
+            self.changes += float(np.sum(part.gained(old) * (part.body.v - old)))
+            self.motion += float(np.sum(part.momenta(part.body.v) * part.body.v))
+        return {"swing_in_a_step": self.changes / self.motion if self.motion > 0.0 else 0.0}
+
+
 @compiled
 def fastest(v, arm):
     """The largest of velocities (rows, n), each times an arm; not a number where one is none."""

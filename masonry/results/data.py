@@ -99,7 +99,7 @@ class ResultData:
 
     @property
     def in_real_time(self) -> bool:
-        """Whether masses are real and displacements large, so that the run is a motion in time."""
+        """Whether masses are real, and the run is a motion in time."""
         return bool(self.summary.in_real_time)
 
     @property

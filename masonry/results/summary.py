@@ -87,6 +87,7 @@ class Extremes(Record):
     lowest_stress_pa: float | None = None
     displacement_at_lowest_m: float | None = None
     rise_at_end: float | None = None
+    missed_between_steps: float | None = None
     cycles: list[dict[str, bool | float | None]] | None = None
     tilt_rad: float | None = None
     gauges: dict[str, Readings] | None = table_of(Readings)
@@ -139,12 +140,13 @@ class Restless(Record):
 
 @dataclass(frozen=True, eq=False)
 class Rest(Record):
-    """How far from rest the specimen was after the settling, and at the end."""
+    """How far from rest the specimen was after the settling, and at the end; how well its swings are followed."""
 
     unbalanced_after_settling: float | None = None
     kinetic_after_settling: float | None = None
     unrest_after_settling: Restless | None = one_of(Restless)
     moving_at_end: Restless | None = one_of(Restless)
+    swing_too_wide: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -126,6 +126,12 @@ class SceneData(Table):
         return not self.is_large and self.solver.duration is None and not self.quiet
 
     @property
+    def moves_in_time(self) -> bool:
+        """Whether a run with real masses is a motion in time: large displacement, damping of its own after the
+        settling, or a duration where nothing is driven."""
+        return self.is_large or self.swings or (self.solver.duration is not None and self.drive is None)
+
+    @property
     def has_dead_loads(self) -> bool:
         """Whether there is a traction, gravity or a bar with pretension: they settle before the drive moves."""
         return bool(self.traction) or self.gravity is not None or any(bar.pretension for bar in self.bar)

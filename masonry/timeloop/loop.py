@@ -25,6 +25,7 @@ from masonry.rows.peak import reached
 from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
+from masonry.timeloop.around_peak import AroundPeak
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.gauge_columns import finish_columns, forces_of_bars
 from masonry.timeloop.observers import observers_of
@@ -66,6 +67,7 @@ class Loop:
         self.frames: list[Frame] = []
         self.near_peak: list[tuple[float, Frame, Standing]] = []
         self.heights = np.zeros((0, 2))
+        self.around_peak = AroundPeak()
         self.highest_row = -np.inf
         self.earlier, self.begun = Seconds(), Seconds.now()
 
@@ -142,9 +144,11 @@ class Loop:
             self.outcome.peak_force = float(force[0])
             self.heights = np.array([[force[0], path[0]]])
         k, low = int(np.argmax(force)), int(np.argmin(force))
+        higher = not self.has_fallen and bool(force[k] > self.outcome.peak_force)
+        self.around_peak.see(force, k if higher else None)
         if self.has_fallen:
             self.outcome.blow = max(self.outcome.blow, float(force[k]))
-        elif force[k] > self.outcome.peak_force:
+        elif higher:
             self.rise(force[: k + 1], path[: k + 1])
         if force[low] < self.outcome.lowest_force:
             self.outcome.lowest_force = float(force[low])
@@ -262,6 +266,7 @@ class Loop:
             history.rows[INPUT_ENERGY] = energy_in
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
+        self.outcome.missed_between_steps = self.around_peak.missed()
         self.outcome.take_extremes_of_rows()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
@@ -280,6 +285,7 @@ class Loop:
             "near_peak": [[stress, _kept(frame), _kept(standing)] for stress, frame, standing in self.near_peak],
             "found": attributes(self.outcome, FOUND),
             "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
+            "around_peak": self.around_peak.state(),
             "loading": self.loading.state(),
             "observers": {name: observer.state() for name, observer in self.observers.items()},
         }
@@ -295,6 +301,7 @@ class Loop:
         )
         self.frames = [Frame(**frame) for frame in state["frames"]]
         self.near_peak = [(height, Frame(**frame), Standing(**acts)) for height, frame, acts in state["near_peak"]]
+        self.around_peak.restore(state["around_peak"])
         self.loading.restore(state["loading"])
         for name, observer in self.observers.items():
             observer.restore(state["observers"][name])

@@ -13,17 +13,20 @@ from masonry.monitors.reactions import WorkOfLoads
 from masonry.monitors.settling import Moving, Settling
 from masonry.monitors.shaking_watch import ShakingWatch
 from masonry.monitors.slide import Slide
+from masonry.monitors.stability import Swings
 from masonry.timeloop.recording import Recording
 
 
 def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     """All observers of a run but the watch; those that may end it first, as others see only rows that are kept."""
-    driven = any(drive is not None for drive in model.drives)
+    driven, large = any(drive is not None for drive in model.drives), configuration_of(model).any_size
     moving = {} if driven or not model.scaled else {"moving": Moving(model)}
+    swings = {} if driven or model.scaled or large else {"swings": Swings()}
     return {
-        **(large_looks(model, recording) if configuration_of(model).any_size else small_limits(model, recording)),
+        **(large_looks(model, recording) if large else small_limits(model, recording)),
         "settling": Settling(model),
         **moving,
+        **swings,
         "law_area": LawArea(model),
         **({"shaking": ShakingWatch(recording.surroundings)} if recording.is_shaken else {}),
         "work_of_loads": WorkOfLoads(recording.surroundings),

@@ -18,15 +18,17 @@ from masonry.timeloop.gauge_columns import UniformGround
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step before a block had fallen, the largest force
-    after that (`blow`), and the lowest force, or both of rows where the drive turned back; the times; what observers
-    said at each row and of the whole run, by their names for it; what came of the loading; the sudden cracks; the
-    forces from outside and of the contacts at the frames of the peak and of the end.
+    """What the loop found besides the rows: the peak seen at any step before a block had fallen, the share by which the
+    force may have been higher between two steps, the largest force after that (`blow`), and the lowest force; peak and
+    lowest force of rows, and no share, where the drive turned back; the times; what observers said at each row and of
+    the whole run, by their names for it; what came of the loading; the sudden cracks; the forces from outside and of
+    the contacts at the frames of the peak and of the end.
     """
 
     history: History
     peak_force: float = 0.0
     displacement_at_peak: float = 0.0
+    missed_between_steps: float | None = None
     blow: float = 0.0
     lowest_force: float = 0.0
     displacement_at_lowest: float = 0.0
@@ -54,6 +56,7 @@ class Outcome:
         rows = self.standing_rows
         if not turns_back(rows.get("displacement", np.zeros(0))):
             return
+        self.missed_between_steps = None
         peak, lowest = peak_row(rows), lowest_row(rows)
         force, place = rows["force"], rows["displacement"]
         self.peak_force, self.displacement_at_peak = float(force[peak]), float(place[peak])

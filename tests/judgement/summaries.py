@@ -17,6 +17,7 @@ DRIVEN: dict[str, Any] = {
     "reaction_mismatch_max": 0.0,
     "kinetic_over_internal_max": 0.0,
     "rise_at_end": 0.0,
+    "missed_between_steps": 0.0,
     "unbalanced_after_settling": 0.0,
     "kinetic_after_settling": 0.0,
     "unrest_after_settling": {"block": 3, "at_m": [0.1, 0.2, 0.3], "unbalanced": 0.0, "kinetic": 0.0},

@@ -44,6 +44,14 @@ LIMITS = [
     (with_numbers(DRIVEN, control__accuracy=0.03), "control__drag_at_peak", 0.03, "damping took 3 % of the force at"),
     (with_numbers(DRIVEN, law_by_group={"beds": "elastic", "heads": "friction"}), "rise_at_end", 0.01, "the force st"),
     (DRIVEN, "rise_at_end", 0.01, "the force still rose at the end, by 1 % over the last tenth of the drive: the h"),
+    (
+        REAL_TIME,
+        "swing_too_wide",
+        0.01,
+        "steps are long beside the swings, which are too wide by 1 % and too fast by 0.3",
+    ),
+    (DRIVEN, "missed_between_steps", 0.01, "the force rises and falls so fast at the peak that it may be up to 1 % hi"),
+    (with_numbers(DRIVEN, control__accuracy=0.03), "missed_between_steps", 0.03, "the force rises and falls so fast"),
     (AT_REST, "energy_j__kinetic", 1e-4, "the specimen still moves at the end: its kinetic energy is 1e-06"),
     (
         with_numbers(AT_REST, energy_j__elastic_blocks=0.0, energy_j__elastic_contacts=0.0),

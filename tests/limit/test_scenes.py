@@ -134,6 +134,14 @@ def test_a_stone_that_crushes_is_weaker():
     assert masonry.limit(scene, crushing="40 kPa").factor == pytest.approx(0.5 * (1 - 3000 / (40e3 * 0.15)), rel=1e-7)
 
 
+def test_crushing_that_a_scene_has_is_named_where_it_is_left_out():
+    crushing = 'law = "friction"\ncompressive_strength = "40 kPa"\ncrushing = "cut-off"'
+    scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', crushing))
+    left_out = [remark for remark in masonry.limit(scene).remarks if '--crushing "0.04 MPa"' in remark]
+    assert len(left_out) == 1 and "it may fall earlier" in left_out[0]
+    assert not any("bear any pressure" in remark for remark in masonry.limit(scene, crushing="40 kPa").remarks)
+
+
 def test_a_stone_that_crushes_does_not_turn_with_the_tilt():
     """sin(t) W h/2 = cos(t) W b/2 (1 - cos(t) W / (fc A))."""
     result = masonry.limit(load(block('[limit]\npattern = "tilt"\nabout = "y"')), crushing="40 kPa")

@@ -28,6 +28,7 @@ def extremes(assembly: Assembly, outcome: Outcome, scales: Scales) -> Extremes:
         lowest_stress_pa=outcome.lowest_force / section if driven else None,
         displacement_at_lowest_m=outcome.displacement_at_lowest if driven else None,
         rise_at_end=rise_at_end(rows, outcome.peak_force / section) if driven else None,
+        missed_between_steps=outcome.missed_between_steps if driven else None,
         cycles=table(scales.before_fall, outcome.observed["widest"], assembly.scene.loops_over),
         tilt_rad=float(rows[TILT][-1]) if TILT in rows else None,
         gauges=_readings(assembly, outcome, driven),

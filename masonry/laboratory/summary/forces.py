@@ -29,7 +29,11 @@ def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:
 def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """At the peak and at the end: what supports, drive and dead loads exert."""
     scene, outer = assembly.scene, assembly.recording.surroundings
-    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)} | {FLOOR: FLOOR, BARS: "fixed ends", QUIET: "their faces"}
+    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)} | {
+        FLOOR: FLOOR,
+        BARS: "fixed ends",
+        QUIET: "their faces",
+    }
     if scene.drive is not None:
         on["drive"] = scene.drive.on
     holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)

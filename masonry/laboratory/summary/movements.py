@@ -30,7 +30,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),
         met=outcome.found.get("met", ""),
-        in_real_time=not assembly.model.scaled if large or scene.swings else None,
+        in_real_time=not assembly.model.scaled if scene.moves_in_time else None,
         free_swings=free_swings(assembly, outcome),
         damping_after_settling=swing_of(scene.damping).words if scene.swings else None,
         collapse=_collapse(assembly, outcome) if large else None,

@@ -1,0 +1,26 @@
+"""Did the peak lie between two steps? By how much more the force may have been there, over the highest of any step.
+
+The limit is the accuracy that the drive was asked for; 1 % where none was, as is usually asked of a run.
+"""
+
+from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubts.peak_passed import LIMIT, has_strength
+from masonry.judgement.evidence import Evidence
+
+SMALLER = "ask for a smaller accuracy"
+
+
+def accuracy(evidence: Evidence) -> float:
+    """That of the drive."""
+    value = evidence.number("control.accuracy")
+    return LIMIT if value is None else value
+
+
+PEAK_BETWEEN_STEPS = Criterion(
+    name="peak_between_steps",
+    measure=lambda evidence: evidence.number("missed_between_steps"),
+    limit=accuracy,
+    sentence="the force rises and falls so fast at the peak that it may be up to {percent} higher between two steps",
+    advice=lambda evidence: SMALLER if evidence.table("control") else "take more steps, or give drive.accuracy",
+    asked_of=lambda evidence: evidence.number("missed_between_steps") is not None and has_strength(evidence),
+)

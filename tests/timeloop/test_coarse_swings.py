@@ -1,0 +1,58 @@
+"""A block that swings on an elastic joint in small displacement, in steps that are long or short beside its period."""
+
+import numpy as np
+import pytest
+
+from masonry.laboratory import laboratory
+from tests.scenes import load
+
+MASS, STIFFNESS, SPEED = 2000.0, 1e8, 0.1
+SCENE = """
+law = "elastic"
+[specimen]
+kind = "boxes"
+section = "1 m^2"
+box = [
+  {name = "base", origin = ["0 m", "0 m", "-1 m"], size = ["1 m", "1 m", "1 m"], unit = 0},
+  {name = "b", origin = ["0 m", "0 m", "0 m"], size = ["1 m", "1 m", "1 m"], unit = 1},
+]
+[material.units]
+density = "2000 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "1e8 Pa/m"
+shear_stiffness = "4e7 Pa/m"
+[[support]]
+on = "base"
+fix = "all"
+[[support]]
+on = "b"
+fix = ["x", "y", "rotation"]
+[[motion]]
+on = "b"
+velocity = ["0 m/s", "0 m/s", "0.1 m/s"]
+[[gauge]]
+name = "z"
+at = "b"
+direction = "z"
+[solver]
+masses = "real"
+damping = 0
+duration = "1 s"
+sampling = "2000 Hz"
+"""
+
+
+@pytest.mark.parametrize("fraction", [0.8, 0.4, 0.2, 0.05])
+def test_how_much_too_wide_swings_are_is_told_and_nothing_else_is_asked_of_a_free_swing(fraction):
+    result = laboratory.run(load(SCENE, solver__step_fraction=fraction))
+    wide = float(np.abs(result.history.rows["z"]).max()) / (SPEED * np.sqrt(MASS / STIFFNESS)) - 1.0
+    told = result.summary["swing_too_wide"]
+    assert told == pytest.approx(wide, rel=0.3, abs=1e-3)
+    assert [doubt.name for doubt in result.doubts] == (["coarse_swings"] if told > 0.01 else [])
+    in_a_step = 8.0 * told
+    assert in_a_step == pytest.approx(4.0 * np.sin(0.5 * result.summary["time_step_s"] * frequency()) ** 2, rel=0.05)
+
+
+def frequency() -> float:
+    """rad/s, of the exact swing, which steps make faster by a third of that share."""
+    return float(np.sqrt(STIFFNESS / MASS))

@@ -1,0 +1,41 @@
+"""A drive in few steps passes its peak between two of them, and the run says by how much more there may have been."""
+
+import numpy as np
+import pytest
+
+from masonry.timeloop.around_peak import AroundPeak
+from verification.scene_runs import result_of
+
+STRENGTH = 0.87e6 + 1.01 * 0.5e6
+"""Pa, of the packaged couplet: cohesion and friction at 0.5 MPa."""
+
+
+@pytest.mark.parametrize("law", ["linear", "exponential", "brittle"])
+@pytest.mark.parametrize("steps", [30, 60, 100, 300, 1000])
+def test_what_a_couplet_bears_beyond_the_highest_step_is_told(law, steps):
+    result = result_of("couplet", {"law": law, "drive.accuracy": None, "drive.steps": steps})
+    missed, lacks = result.summary["missed_between_steps"], STRENGTH / result.summary["peak_stress_pa"] - 1.0
+    assert lacks <= missed + 1e-3, "the force of a step is that of the slip half a step before, but for rounding"
+    assert ("peak_between_steps" in [doubt.name for doubt in result.doubts]) == (missed > 0.01)
+
+
+@pytest.mark.parametrize("place", np.linspace(0.0, 1.0, 7))
+@pytest.mark.parametrize("cuts", [(3,), (6,), (7,), (8,), (5, 6, 7, 8, 9)])
+def test_two_straight_lines_pass_no_higher_than_is_told_wherever_chunks_end(place, cuts):
+    rise, fall, peak = 2.0, 5.0, 6.0 + place
+    at = np.arange(15.0)
+    force = 100.0 - np.where(at < peak, rise * (peak - at), fall * (at - peak))
+    around, highest = AroundPeak(), 0.0
+    for piece in np.split(force, cuts):
+        k = int(np.argmax(piece))
+        around.see(piece, k if piece[k] > highest else None)
+        highest = max(highest, float(piece[k]))
+    assert around.missed() == pytest.approx(rise * fall / (rise + fall) / force.max())
+    assert 100.0 / force.max() - 1.0 <= around.missed() * (1.0 + 1e-12)
+
+
+def test_a_plateau_and_a_force_that_still_rises_miss_nothing():
+    for force in (np.minimum(np.arange(12.0), 7.5), np.arange(12.0)):
+        around = AroundPeak()
+        around.see(force, int(np.argmax(force)))
+        assert around.missed() == 0.0
