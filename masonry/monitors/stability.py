@@ -112,7 +112,7 @@ class Watch(Observer):
 
 
 class Swings(Observer):
-    """How far swings go in a step: the mean of (w dt)^2 over the rows so far, by energy, w being the angular frequency."""
+    """How far swings go in a step: the mean of (w dt)^2 over the rows so far, w being their angular frequency."""
 
     REMEMBERED = ("changes", "motion")
 
