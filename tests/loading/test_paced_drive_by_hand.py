@@ -87,6 +87,10 @@ def test_where_contacts_are_dry_what_was_not_borne_in_three_steady_rows_on_end_i
     again = Dry(paced().model, SETTINGS, 0.01)
     again.restore(dry.state())
     assert again.excess(-40.0) == dry.excess(-40.0)
+    for _ in range(10):
+        dry.see(-39.0, 0.1)
+    assert dry.excess(-40.0) == pytest.approx(1.0 - 39.0 / 40.0), "a block that slides: nothing of it is expected"
+    assert dry.excess(-50.0 * (1.0 - 1e-15)) == 0.0, "a plateau, but for rounding"
 
 
 def test_what_dry_faces_may_part_by_and_how_the_force_may_rise_go_with_the_accuracy():

@@ -12,8 +12,11 @@ from masonry.loading.drive.predictor import Predictor
 from masonry.model.model import Model
 from masonry.runtime.state_file import State, attributes, load_attributes
 
-STEADY = 3
-"""Rows on end in which a force is borne, so that half a swing is none."""
+STEADY, LASTING = 3, 10
+"""Rows on end in which a force is borne, so that half a swing is none: where all moves as expected, and where it does
+not, as of what slides with the drive nothing is expected: a block that lifts off jerks for about four."""
+ROUNDED = 1e-9
+"""Share by which a row on a plateau may be above the highest step."""
 
 
 def utilisation(model: Model, seen: Seen, rest: np.ndarray) -> float:
@@ -90,8 +93,10 @@ class Dry:
             return float(peak != 0.0)
         force, trust = np.array(self.rows).T
         along, least = sliding_window_view([force / peak, trust], STEADY, axis=1).min(axis=2)
-        borne = along[(least >= self.settings.steady) & (along <= 1.0)]
-        return float(1.0 - borne.max(initial=0.0))
+        borne = along[least >= self.settings.steady]
+        if len(force) >= LASTING:
+            borne = np.append(borne, sliding_window_view(force / peak, LASTING).min(axis=1))
+        return max(float(1.0 - borne[borne <= 1.0 + ROUNDED].max(initial=0.0)), 0.0)
 
     def stiffness(self, reach: float, force: float) -> float | None:
         """N/m, after the drive's force (N) at the farthest place (m) so far; None where nothing has parted."""
