@@ -128,8 +128,8 @@ class SmallDisplacement:
 
     def advice(self, leap: float) -> str:
         return (
-            "The time step is within its proven bound, so the drive is too fast (take more steps or a lower rate), "
-            "a load too large, or a contact too soft for this specimen"
+            "The time step is within its proven bound, so the drive is too fast (take more steps, a lower rate or a "
+            "smaller accuracy), a load too large, or a contact too soft for this specimen"
         )
 
     def written(self) -> dict[str, np.ndarray]:
