@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.joints.covered import covered_fractions
-from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.indexing import Lists, following, ranges
 from geometry.polyhedra.measures import face_areas_normals_centroids
 from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_picture import panel_title
@@ -144,11 +144,9 @@ class Viewer:
     def _outlines(self) -> np.ndarray:
         """Edges that bound a unit, as lines between corners."""
         blocks, faces = self.result.specimen.blocks, self._outer()
-        lines = []
-        for face, outer in zip(faces, unit_edges(blocks, faces, face_areas_normals_centroids(blocks)[1]), strict=True):
-            corner = blocks.face_points[blocks.face_start[face] : blocks.face_start[face + 1]]
-            lines.append(np.stack([corner, np.roll(corner, -1)], axis=1)[outer])
-        pairs = np.concatenate([np.zeros((0, 2), int), *lines])
+        sides = Lists(blocks.face_start, blocks.face_points).taken(faces)
+        outer = unit_edges(blocks, faces, face_areas_normals_centroids(blocks)[1])
+        pairs = np.column_stack([sides.entry, sides.entry[following(sides.start)]])[outer]
         return np.column_stack([np.full(len(pairs), 2), pairs]).ravel()
 
 

@@ -21,12 +21,12 @@ class Outlines:
     """The faces toward the viewer, farthest first.
 
     face   (n,) face numbers    layer  (n,) depth rank of each face, 0 the farthest
-    outer  for each face, per edge whether it bounds the unit (true) or lies between cells of one unit
+    outer  (E,) of their edges, face by face, whether it bounds the unit (true) or lies between cells of one unit
     """
 
     face: np.ndarray
     layer: np.ndarray
-    outer: list[np.ndarray]
+    outer: np.ndarray
 
 
 def outlines(blocks: Blocks, camera: Camera, layers: int = 16) -> Outlines:

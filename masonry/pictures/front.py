@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from geometry.blocks import Blocks
-from geometry.polyhedra.indexing import ranges
+from geometry.polyhedra.indexing import following, ranges
 from masonry.pictures.camera import camera_of
 from masonry.pictures.crack_lines import CrackLines, Outlines, crack_lines, outlines
 from masonry.pictures.crack_style import draw_cracks
@@ -59,16 +59,13 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
     colour = to_rgba_array(group_colours(blocks.groups))
     owner = blocks.face_block()
     sides = np.diff(blocks.face_start)
+    layer_of_edge = np.repeat(shown.layer, sides[shown.face])
     for layer in np.unique(shown.layer):
-        chosen = np.flatnonzero(shown.layer == layer)
-        face = shown.face[chosen]
-        index = ranges(blocks.face_start[face], sides[face])[1]
-        last = np.cumsum(sides[face]) - 1
-        after = np.arange(1, len(index) + 1)
-        after[last] = last + 1 - sides[face]
-        corners = flat[blocks.face_points[index]]
-        thick = np.stack([corners, corners[after]], axis=1)[np.concatenate([shown.outer[n] for n in chosen])]
-        polygons = np.split(corners, last[:-1] + 1)
+        face = shown.face[shown.layer == layer]
+        start = np.append(0, np.cumsum(sides[face]))
+        corners = flat[blocks.face_points[ranges(blocks.face_start[face], sides[face])[1]]]
+        thick = np.stack([corners, corners[following(start)]], axis=1)[shown.outer[layer_of_edge == layer]]
+        polygons = np.split(corners, start[1:-1])
         if np.all(sides[face] == sides[face[0]]):  # drawn faster as one array
             polygons = corners.reshape(len(face), -1, 2)
         depth = 1.0 + 0.01 * float(layer)
@@ -79,9 +76,12 @@ def _draw_blocks(axes: Any, blocks: Blocks, shown: Outlines, flat: np.ndarray) -
                 edgecolors="#a09a90",
                 linewidths=0.35,
                 zorder=depth,
-            )
+            ),
+            autolim=False,
         )
-        axes.add_collection(LineCollection(thick, colors="#4a4640", linewidths=0.8, zorder=depth + 0.005))
+        lines = LineCollection(thick, colors="#4a4640", linewidths=0.8, zorder=depth + 0.005)
+        axes.add_collection(lines, autolim=False)
+        axes.update_datalim(corners)  # once for both, where each asks path by path
 
 
 def group_colours(groups: tuple[str, ...]) -> list[str]:

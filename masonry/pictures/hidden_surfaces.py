@@ -45,7 +45,8 @@ def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece
     if not corners:
         return []
     edge = np.median([np.linalg.norm(np.roll(c, -1, axis=0) - c, axis=1).max() for c in corners])
-    outer, own = unit_edges(blocks, seen, normal), turning_edges(blocks, seen, normal)
+    ends = np.cumsum(np.diff(blocks.face_start)[seen])[:-1]
+    outer, own = (np.split(of(blocks, seen, normal), ends) for of in (unit_edges, turning_edges))
     pieces = [
         piece
         for f, c, bounds, turning in zip(seen.tolist(), corners, outer, own, strict=True)
@@ -129,16 +130,11 @@ def _farthest_first(pieces: list[Piece], normal: np.ndarray, camera: Camera, wid
 
 
 class _Edges(NamedTuple):
-    """The edges of some faces, one face after another: the face (E,), where in `faces` it stands (E,); and the pairs
-    (n, 2) of edges that lie at one place in one body, as numbers of edges."""
+    """The edges of some faces, one face after another: the face (E,), and the pairs (n, 2) of edges that lie at one
+    place in one body, as numbers of edges."""
 
     face: np.ndarray
-    place: np.ndarray
     pairs: np.ndarray
-
-    def by_face(self, values: np.ndarray) -> list[np.ndarray]:
-        """Values (E,) in parts, face by face."""
-        return np.split(values, np.flatnonzero(np.diff(self.place)) + 1) if len(values) else []
 
 
 def _edges(blocks: Blocks, faces: np.ndarray, body: np.ndarray) -> _Edges:
@@ -156,12 +152,12 @@ def _edges(blocks: Blocks, faces: np.ndarray, body: np.ndarray) -> _Edges:
     last = np.flatnonzero(np.append(np.diff(key[order]) != 0, True)) + 1
     end = np.repeat(last, np.diff(last, prepend=0))
     one, two = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
-    return _Edges(face, place, np.stack([order[one], order[two]], axis=1))
+    return _Edges(face, np.stack([order[one], order[two]], axis=1))
 
 
-def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
-    """For each face, per edge: true unless a face of the same unit goes on beyond it in the same plane, or one of the
-    same block in nearly the same, as on the facets of a curved surface."""
+def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> np.ndarray:
+    """(E,) of the edges of some faces, face by face: true unless a face of the same unit goes on beyond it in the same
+    plane, or one of the same block in nearly the same, as on the facets of a curved surface."""
     block = blocks.face_block()
     body = np.unique(np.stack([blocks.unit[block], blocks.group[block]]), axis=1, return_inverse=True)[1].reshape(-1)
     edges = _edges(blocks, faces, body)
@@ -169,18 +165,19 @@ def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np
     near = np.einsum("ni,ni->n", normal[f], normal[o]) > np.where(block[f] == block[o], BENT, SAME_PLANE)
     outer = np.ones(len(edges.face), dtype=bool)
     outer[edges.pairs[near & (f != o)]] = False
-    return edges.by_face(outer)
+    return outer
 
 
-def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> list[np.ndarray]:
-    """For each face, per edge: true unless a face of the same block goes on beyond it, turned by less than SMOOTH."""
+def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> np.ndarray:
+    """(E,) of the edges of some faces, face by face: true unless a face of the same block goes on beyond it, turned by
+    less than SMOOTH."""
     edges = _edges(blocks, faces, blocks.face_block())
     f, o = edges.face[edges.pairs].T
     alone = np.bincount(edges.pairs.ravel(), minlength=len(edges.face)) == 1  # of two edges, not of more
     smooth = alone[edges.pairs].all(axis=1) & (np.einsum("ni,ni->n", normal[f], normal[o]) > np.cos(SMOOTH))
     turns = np.ones(len(edges.face), dtype=bool)
     turns[edges.pairs[smooth]] = False
-    return edges.by_face(turns)
+    return turns
 
 
 def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, most: float) -> list[Piece]:

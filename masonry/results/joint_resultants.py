@@ -5,6 +5,7 @@ A joint is all contact of two units in one plane. Blocks of one unit (its divisi
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isfinite
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -141,8 +142,7 @@ def _eccentricity(faces: JointFaces, off: np.ndarray) -> np.ndarray:
 def resultants_csv(table: Mapping[str, np.ndarray]) -> str:
     """The table as text, with units in the first line; what is not known stays empty."""
     heads = ["moment", *(f"{name} [{unit}]" for name, unit in COLUMNS.items())]
-    lines = [",".join(heads)]
-    for k in range(len(table.get("moment", ()))):
-        cells = [f"{table[name][k]:.9g}" if np.isfinite(table[name][k]) else "" for name in COLUMNS]
-        lines.append(",".join([str(table["moment"][k]), *cells]))
-    return "\n".join(lines) + "\n"
+    numbers = [table[name].tolist() if name in table else [] for name in COLUMNS]
+    cells = [[f"{number:.9g}" if isfinite(number) else "" for number in column] for column in numbers]
+    rows = zip(map(str, table.get("moment", ())), *cells, strict=True)
+    return "".join(",".join(row) + "\n" for row in [heads, *rows])

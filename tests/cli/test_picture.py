@@ -226,5 +226,5 @@ def test_no_line_is_drawn_within_a_face_that_is_cut_in_two():
         blocks = polyhedra([(points, faces)], ["box"], [0], ["units"])
         upper = np.flatnonzero(face_areas_normals_centroids(blocks)[1][:, 2] > 0.5)
         normal = face_areas_normals_centroids(blocks)[1]
-        edges = np.concatenate(turning_edges(blocks, upper, normal))
+        edges = turning_edges(blocks, upper, normal)
         assert len(edges) == 6 and edges.sum() == 4 + drawn
