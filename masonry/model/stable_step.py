@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from geometry.jit_cache import compiled
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 
@@ -116,15 +117,26 @@ def tet_row_sums(sums: np.ndarray, layout: Layout, lame_of_block: np.ndarray) ->
         return
     gradients, volumes = tet_gradients(mesh), tet_volumes(mesh)
     lame = np.repeat(lame_of_block, np.diff(mesh.tet_start), axis=0) * volumes[:, None]
-    for first in range(0, len(volumes), CHUNK):
-        g, moduli = gradients[first : first + CHUNK], lame[first : first + CHUNK]
-        outer = np.einsum("tai,tbj->taibj", g, g)
-        dots = np.einsum("tai,tbi->tab", g, g)
-        k = moduli[:, 0, None, None, None, None] * outer
-        k += moduli[:, 1, None, None, None, None] * outer.transpose(0, 1, 4, 3, 2)
-        k += np.einsum("t,tab,ij->taibj", moduli[:, 1], dots, np.eye(3))
-        rows = np.abs(k).sum(axis=(3, 4))
-        np.add.at(sums, mesh.tets[first : first + CHUNK], rows)
+    _add_rows_of_tets(sums, mesh.tets, gradients, lame)
+
+
+@compiled
+def _add_rows_of_tets(sums, tets, gradients, lame):
+    """Add sum_bj |lambda g_ai g_bj + mu g_aj g_bi + mu g_a g_b d_ij| to row i of node a of each tet (T, 4), of which
+    the gradients g (T, 4, 3) and Lame constants times volume (T, 2) are; as NumPy adds twelve numbers."""
+    size = np.empty(12)
+    for t in range(len(tets)):
+        g, bulk, shear = gradients[t], lame[t, 0], lame[t, 1]
+        for a in range(4):
+            for i in range(3):
+                for b in range(4):
+                    for j in range(3):
+                        k = bulk * (g[a, i] * g[b, j]) + shear * (g[a, j] * g[b, i])
+                        if i == j:
+                            k += shear * (g[a, 0] * g[b, 0] + g[a, 1] * g[b, 1] + g[a, 2] * g[b, 2])
+                        size[4 * j + b] = abs(k)
+                row = ((size[0] + size[1]) + (size[2] + size[3])) + ((size[4] + size[5]) + (size[6] + size[7]))
+                sums[tets[t, a], i] += (((row + size[8]) + size[9]) + size[10]) + size[11]
 
 
 def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> None:

@@ -1,15 +1,19 @@
 """The proven time step against the exact one: stiffness through the compiled step, then eigenvalues."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from geometry.blocks import TetMesh
 from masonry.configuration.energy import present
 from masonry.laws.elastic import Elastic
 from masonry.laws.state import JointProperties
 from masonry.model.layout import Material
 from masonry.model.model import Stepping
+from masonry.model.stable_step import tet_row_sums
 from tests.model.eigen import frequencies, true_limit
 from verification.fixtures import models, shapes
 
@@ -127,3 +131,25 @@ def stiffest_mode(model) -> np.ndarray:
     mode = np.zeros(len(which))
     mode[which] = np.linalg.eigh(0.5 * (matrix + matrix.T))[1][:, -1] / root
     return mode / np.abs(mode).max()
+
+
+def test_row_sums_of_tets_are_those_of_the_stiffness_of_each():
+    random, lam, mu = np.random.default_rng(3), [2e9, 5e8], [1e9, 3e9]
+    nodes = random.normal(size=(12, 3))
+    tets = np.array([random.choice(12, 4, replace=False) for _ in range(9)])
+    edges = nodes[tets[:, 1:]] - nodes[tets[:, :1]]
+    turned = np.linalg.det(edges) < 0
+    tets[turned] = tets[turned][:, [1, 0, 2, 3]]
+    mesh = TetMesh(nodes, np.array([0, 0, 12]), tets, np.array([0, 4, 9]))
+    sums = np.zeros((12, 3))
+    tet_row_sums(sums, SimpleNamespace(mesh=mesh), np.column_stack([lam, mu]))
+    plain, eye = np.zeros((12, 3)), np.eye(3)
+    for t, tet in enumerate(tets):
+        block = int(t >= 4)
+        slope = np.linalg.inv(np.column_stack([np.ones(4), nodes[tet]]))[1:].T
+        elasticity = lam[block] * np.einsum("ik,jl->ikjl", eye, eye)
+        elasticity += mu[block] * (np.einsum("ij,kl->ikjl", eye, eye) + np.einsum("il,kj->ikjl", eye, eye))
+        volume = np.linalg.det(nodes[tet[1:]] - nodes[tet[0]]) / 6
+        stiffness = volume * np.einsum("ak,ikjl,bl->aibj", slope, elasticity, slope)
+        plain[tet] += np.abs(stiffness).sum(axis=(2, 3))
+    np.testing.assert_allclose(sums, plain, rtol=1e-9)
