@@ -9,6 +9,7 @@ from geometry.blocks import Blocks
 from geometry.joints.covered import covered_fractions
 from masonry.errors import SceneError
 from masonry.modal_analysis.eigen import Modes, slowest
+from masonry.modal_analysis.mesh_words import mesh_words
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
 from masonry.modal_analysis.modes_result import ModesResult
 from masonry.modal_analysis.oscillator import Oscillator, oscillator_of
@@ -127,6 +128,7 @@ def _say(
         )
     if not len(result.frequencies):
         result.remarks.append("no joint and no block is strained by what can move: there is no frequency")
+    result.remarks.extend(mesh_words(oscillator, modes))
     if joints is not None and joints.slides.any():
         result.remarks.append(
             f"{int(joints.slides.sum())} of {int(joints.closed.sum())} closed contacts would bear more shear than "
