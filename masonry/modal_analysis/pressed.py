@@ -37,7 +37,7 @@ def pressed(oscillator: Oscillator) -> Pressed:
     area = oscillator.joints.area
     closed, torn = np.ones(len(area), dtype=bool), np.zeros(len(area), dtype=bool)
     for _ in range(ROUNDS):
-        jump = _equilibrium(oscillator, closed)
+        jump = equilibrium(oscillator, closed)
         pull = oscillator.normal * jump[:, 0]
         least = NEARLY * float(np.abs(pull).max(initial=0.0))
         torn |= closed & (pull > strength * area + least)
@@ -57,7 +57,7 @@ def pressed(oscillator: Oscillator) -> Pressed:
     return Pressed(closed, closed & ~holds & (shear > borne + least))
 
 
-def _equilibrium(oscillator: Oscillator, closed: np.ndarray) -> np.ndarray:
+def equilibrium(oscillator: Oscillator, closed: np.ndarray) -> np.ndarray:
     """(C, 3) m, jumps along the normal and across it of all contacts, where those that are closed bear the loads."""
     dofs = np.flatnonzero(oscillator.free)
     strain_matrix = sparse.csc_array(oscillator.closed(closed)[:, dofs])

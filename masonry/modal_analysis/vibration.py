@@ -8,6 +8,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.joints.covered import covered_fractions
 from masonry.errors import SceneError
+from masonry.modal_analysis.bending import frequencies_too_high
 from masonry.modal_analysis.eigen import Modes, slowest
 from masonry.modal_analysis.mesh_words import mesh_words
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
@@ -20,6 +21,8 @@ MOST = 200
 """Modes that may be asked for."""
 COVERED = 1.0 - 1e-6
 """Share of a face in joints from which on it is not seen."""
+TOO_HIGH = 0.02
+"""Share of a frequency by which it may be too high for contact points by which joints bend too stiffly."""
 MOVES = 1e-6
 """Share of the fastest corner of a loose motion at which a block takes part in it."""
 CLOSED = "all joints closed and elastic, at the undeformed shape, without the stiffness that weight adds or takes"
@@ -129,6 +132,14 @@ def _say(
     if not len(result.frequencies):
         result.remarks.append("no joint and no block is strained by what can move: there is no frequency")
     result.remarks.extend(mesh_words(oscillator, modes))
+    high = frequencies_too_high(oscillator, modes.shape, result.closed)
+    if high.max(initial=0.0) > TOO_HIGH:
+        worst = int(np.argmax(high))
+        result.remarks.append(
+            f"joints bend too stiffly by their contact points: the frequencies of {int((high > TOO_HIGH).sum())} of "
+            f"{len(high)} modes are more than {100.0 * TOO_HIGH:g} % too high, that of mode {worst + 1} by about "
+            f'{100.0 * high[worst]:.2g} %; specimen.contact_points = "gauss" has them right'
+        )
     if joints is not None and joints.slides.any():
         result.remarks.append(
             f"{int(joints.slides.sum())} of {int(joints.closed.sum())} closed contacts would bear more shear than "
