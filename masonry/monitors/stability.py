@@ -24,6 +24,9 @@ STRETCHED = 1e-10
 bars. The force of a bar that is pulled aside from rest grows as the third power of the way: over its first steps the
 two sums differ by half, of next to nothing."""
 
+FAST = 0.05
+"""Of the fastest: components of motion that are slower on average count as if they were as fast."""
+
 
 class Watch(Observer):
     """Stops a run whose numbers can no longer be trusted, and names the block to blame."""
@@ -112,18 +115,26 @@ class Watch(Observer):
 
 
 class Swings(Observer):
-    """How far swings go in a step: the mean of (w dt)^2 over the rows so far, w being their angular frequency."""
+    """How far swings go in a step: (w dt)^2 by the rows so far, w being the angular frequency of the mean square, the
+    most of any component of a block or node among those that move fast."""
 
     REMEMBERED = ("changes", "motion")
 
-    def __init__(self) -> None:
-        self.changes = self.motion = 0.0
+    def __init__(self, model: Model) -> None:
+        self.arm = np.array([1.0] * 3 + [smallest_block(model)] * 9)
+        self.changes = [np.zeros_like(part.body.v) for part in parts_of(model)]
+        self.motion = [np.zeros_like(part.body.v) for part in parts_of(model)]
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        for part, old in zip(parts_of(model), () if view.settling else view.before, strict=False):
-            self.changes += float(np.sum(part.gained(old) * (part.body.v - old)))
-            self.motion += float(np.sum(part.momenta(part.body.v) * part.body.v))
-        return {"swing_in_a_step": self.changes / self.motion if self.motion > 0.0 else 0.0}
+        arrays = zip(parts_of(model), self.changes, self.motion, view.before, strict=True)
+        for part, changes, motion, old in () if view.settling else arrays:
+            arm = self.arm[: old.shape[1]]
+            changes += (arm * (part.body.v - old)) ** 2
+            motion += (arm * part.body.v) ** 2
+        least = max(FAST**2 * max(float(motion.max(initial=0.0)) for motion in self.motion), 1e-300)
+        pairs = zip(self.changes, self.motion, strict=True)
+        most = max(float((changes / np.maximum(motion, least)).max(initial=0.0)) for changes, motion in pairs)
+        return {"swing_in_a_step": most}
 
 
 @compiled

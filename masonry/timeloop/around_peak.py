@@ -11,35 +11,43 @@ BESIDE = 2
 class AroundPeak(Remembering):
     """Follows the force of a drive step by step.
 
-    before   (2,) N, at the last steps so far
-    forces   (<= 5,) N, from two steps before the peak so far to two steps after it
+    before  (2, 2) place (m) and force (N) of the last steps so far
+    curve   (2, <= 5) the same from two steps before the peak so far to two steps after it
+    peak    number of the peak in that
     """
 
-    REMEMBERED = ("before", "forces")
+    REMEMBERED = ("before", "curve", "peak")
 
     def __init__(self) -> None:
-        self.before, self.forces = np.zeros(0), np.zeros(0)
+        self.before, self.curve, self.peak = np.zeros((2, 0)), np.zeros((2, 0)), 0
 
-    def see(self, force: np.ndarray, peak: int | None) -> None:
-        """The force (n,) N of the next steps, and which of them is higher than all before; None where none is."""
-        every = np.concatenate([self.before, force])
+    def see(self, place: np.ndarray, force: np.ndarray, peak: int | None) -> None:
+        """The places (n,) m and forces (n,) N of the next steps, and which of them is higher than all before; None
+        where none is."""
+        steps = np.array([place, force])
+        every = np.concatenate([self.before, steps], axis=1)
         if peak is not None:
-            at = len(self.before) + peak
-            self.forces = every[max(at - BESIDE, 0) : at + BESIDE + 1]
-        elif len(self.forces):
-            self.forces = np.concatenate([self.forces, force])[: 2 * BESIDE + 1]
-        self.before = every[-BESIDE:]
+            at = self.before.shape[1] + peak
+            self.peak = min(at, BESIDE)
+            self.curve = every[:, at - self.peak : at + BESIDE + 1]
+        elif self.curve.size:
+            self.curve = np.concatenate([self.curve, steps], axis=1)[:, : self.peak + BESIDE + 1]
+        self.before = every[:, -BESIDE:]
 
     def missed(self) -> float:
         """Share by which the force may have been higher between two steps; 0 where it did not come down again.
 
-        A force that rises by a at each step and falls by b passes its peak by at most a b / (a + b): straight lines
-        through the steps before and after it meet no higher.
+        Where it rises by a along a step and falls by b, straight lines through the steps before and after it meet no
+        higher than a b / (a + b) above it. Before the highest step that is no more than the line lies above it there.
         """
-        if len(self.forces) < 2 * BESIDE + 1 or self.forces[BESIDE] <= 0.0:
+        place, force = self.curve
+        if not len(force) or force[self.peak] <= 0.0:
             return 0.0
-        change = np.diff(self.forces)
-        rise, fall = float(change[:BESIDE].max()), float(-change[BESIDE:].min())
+        way, change = np.abs(np.diff(place)), np.diff(force)
+        slope = np.divide(change, way, out=np.zeros_like(change), where=way > 0.0)
+        rise, fall = slope[: self.peak].max(initial=0.0), -slope[self.peak :].min(initial=0.0)
         if rise <= 0.0 or fall <= 0.0:
             return 0.0
-        return rise * fall / (rise + fall) / float(self.forces[BESIDE])
+        beyond = rise * fall / (rise + fall) * way[self.peak - 1 : self.peak + 1]
+        above = (slope[0] - slope[1]) * way[1] if self.peak == BESIDE else 0.0
+        return float(max(min(beyond[0], above), beyond[-1], 0.0) / force[self.peak])

@@ -145,7 +145,7 @@ class Loop:
             self.heights = np.array([[force[0], path[0]]])
         k, low = int(np.argmax(force)), int(np.argmin(force))
         higher = not self.has_fallen and bool(force[k] > self.outcome.peak_force)
-        self.around_peak.see(force, k if higher else None)
+        self.around_peak.see(path, force, k if higher else None)
         if self.has_fallen:
             self.outcome.blow = max(self.outcome.blow, float(force[k]))
         elif higher:

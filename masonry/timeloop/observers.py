@@ -21,7 +21,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
     """All observers of a run but the watch; those that may end it first, as others see only rows that are kept."""
     driven, large = any(drive is not None for drive in model.drives), configuration_of(model).any_size
     moving = {} if driven or not model.scaled else {"moving": Moving(model)}
-    swings = {} if driven or model.scaled or large else {"swings": Swings()}
+    swings = {} if driven or model.scaled or large else {"swings": Swings(model)}
     return {
         **(large_looks(model, recording) if large else small_limits(model, recording)),
         "settling": Settling(model),

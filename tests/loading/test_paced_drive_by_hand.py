@@ -73,6 +73,8 @@ def test_a_sudden_crack_is_no_drag_and_drag_at_the_peak_is_that_of_the_force_tha
     assert outcome.largest_lag == 0.03 and outcome.drag_at_peak == 0.03
     pace.increments.settled_force = 40.0
     assert pace.outcome(40.0).drag_at_peak == 0.0, "the force was as high before the drive"
+    pace.increments.settled_force = -60.0
+    assert pace.outcome(40.0).drag_at_peak == 0.03, "the drive held the specimen back before"
 
 
 def test_where_contacts_are_dry_what_was_not_borne_in_three_steady_rows_on_end_is_drag_as_well():

@@ -53,6 +53,14 @@ def test_how_much_too_wide_swings_are_is_told_and_nothing_else_is_asked_of_a_fre
     assert in_a_step == pytest.approx((result.summary["time_step_s"] * frequency()) ** 2, rel=0.05)
 
 
+def test_a_coarse_swing_is_told_beside_a_fast_glide():
+    glide = {"support.1.fix": ["y", "rotation"], "contact.unit_unit.shear_stiffness": "0 Pa/m"}
+    motion = [{"on": "b", "velocity": ["0.1 m/s", "0 m/s", "0.01 m/s"]}]
+    result = laboratory.run(load(SCENE).with_({**glide, "motion": motion, "solver.slip_limit": 10.0}))
+    wide = float(np.abs(result.history.rows["z"]).max()) / (0.1 * SPEED * np.sqrt(MASS / STIFFNESS)) - 1.0
+    assert result.summary["swing_too_wide"] == pytest.approx(wide, rel=0.3) and wide > 0.05
+
+
 def frequency() -> float:
     """rad/s, of the exact swing, which steps make faster by a third of that share."""
     return float(np.sqrt(STIFFNESS / MASS))

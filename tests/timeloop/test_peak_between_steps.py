@@ -26,16 +26,28 @@ def test_two_straight_lines_pass_no_higher_than_is_told_wherever_chunks_end(plac
     at = np.arange(15.0)
     force = 100.0 - np.where(at < peak, rise * (peak - at), fall * (at - peak))
     around, highest = AroundPeak(), 0.0
-    for piece in np.split(force, cuts):
+    for places, piece in zip(np.split(1e-6 * at, cuts), np.split(force, cuts), strict=True):
         k = int(np.argmax(piece))
-        around.see(piece, k if piece[k] > highest else None)
+        around.see(places, piece, k if piece[k] > highest else None)
         highest = max(highest, float(piece[k]))
     assert around.missed() == pytest.approx(rise * fall / (rise + fall) / force.max())
     assert 100.0 / force.max() - 1.0 <= around.missed() * (1.0 + 1e-12)
 
 
+def test_a_brittle_force_misses_what_it_rises_by_in_the_shorter_step_that_tears_it():
+    around = AroundPeak()
+    around.see(np.array([0.0, 2.0, 4.0, 4.5, 5.0]), np.array([0.0, 2.0, 4.0, 0.0, 0.0]), 2)
+    assert around.missed() == pytest.approx(0.5 * 8.0 / 9.0 / 4.0)
+
+
+def test_a_fall_in_the_last_step_is_enough():
+    around = AroundPeak()
+    around.see(np.arange(4.0), np.array([0.0, 4.0, 8.0, 2.0]), 2)
+    assert around.missed() == pytest.approx(4.0 * 6.0 / 10.0 / 8.0)
+
+
 def test_a_plateau_and_a_force_that_still_rises_miss_nothing():
     for force in (np.minimum(np.arange(12.0), 7.5), np.arange(12.0)):
         around = AroundPeak()
-        around.see(force, int(np.argmax(force)))
+        around.see(np.arange(12.0), force, int(np.argmax(force)))
         assert around.missed() == 0.0

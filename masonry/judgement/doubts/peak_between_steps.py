@@ -7,7 +7,8 @@ from masonry.judgement.doubt import Criterion
 from masonry.judgement.doubts.peak_passed import LIMIT, has_strength
 from masonry.judgement.evidence import Evidence
 
-SMALLER = "ask for a smaller accuracy"
+MORE = "take more of drive.steps in place of drive.accuracy"
+"""The steps that lead to the first crack do not go with the accuracy."""
 
 
 def accuracy(evidence: Evidence) -> float:
@@ -21,6 +22,6 @@ PEAK_BETWEEN_STEPS = Criterion(
     measure=lambda evidence: evidence.number("missed_between_steps"),
     limit=accuracy,
     sentence="the force rises and falls so fast at the peak that it may be up to {percent} higher between two steps",
-    advice=lambda evidence: SMALLER if evidence.table("control") else "take more steps, or give drive.accuracy",
+    advice=lambda evidence: MORE if evidence.table("control") else "take more steps, or give drive.accuracy",
     asked_of=lambda evidence: evidence.number("missed_between_steps") is not None and has_strength(evidence),
 )

@@ -305,7 +305,8 @@ class AdaptiveLoading(Loading):
     def outcome(self, peak: float) -> AdaptiveOutcome:
         """How far the drive ran ahead, and what damping took."""
         lag, travel, drag, force = np.array(self.bounds.looks or [DragLook(0.0, 1.0, 0.0, 0.0)]).T
-        highest = int(np.argmax(force))
+        towards = -1.0 if (*self.plan.reversals, self.plan.displacement)[0] < 0.0 else 1.0
+        highest = int(np.argmax(towards * force))
         held_up = float(drag[max(highest - 1, 0) : highest + 1].max())
         if self.model.dry:
             held_up = max(held_up, self.dry.excess(peak))
@@ -314,7 +315,7 @@ class AdaptiveLoading(Loading):
             increments=self.increments.count,
             mean_lag=float(lag @ travel / max(travel.sum(), 1e-300)),
             largest_lag=float(lag.max()),
-            drag_at_peak=held_up if force[highest] > self.increments.settled_force else 0.0,
+            drag_at_peak=held_up if towards * (force[highest] - self.increments.settled_force) > 0.0 else 0.0,
         )
 
     def parts(self) -> Mapping[str, Remembers]:

@@ -35,7 +35,7 @@ class Increments(Remembering):
     place, force                 m, signed, and N: of the drive, when it was seen last
     most_stored, most_force      the most so far (J, N); farthest: of the places (m)
     work                         J, of the drive; work back counts as well
-    settled_force                N, before the drive moved
+    settled_force                N, signed, before the drive moved
     """
 
     REMEMBERED = (
@@ -51,7 +51,7 @@ class Increments(Remembering):
     def begin(self, row: DriveRow) -> None:
         """The dead loads have settled."""
         self.stored = self.most_stored = row.stored
-        self.force, self.settled_force = row.force, abs(row.force)
+        self.force = self.settled_force = row.force
 
     def book(self, made: float) -> None:
         """Another one sets out, of so much (m)."""
