@@ -368,6 +368,8 @@ def _stepping(
     swing, xi, sums = stepping.swing, local_damping(stepping.damping), phases.settling
     fraction = phases.share * stepping.step_fraction
     free = {kind: ~held for kind, held in conditions.prescribed.items()}
+    if not any(each.any() for each in free.values()):  # what is held or led throughout has the step of what is free
+        free = {kind: np.ones_like(each) for kind, each in free.items()}
     if stepping.masses == "real":
         bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)
         if swing is not None:

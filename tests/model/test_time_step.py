@@ -16,6 +16,7 @@ from masonry.model.model import Stepping
 from masonry.model.stable_step import tet_row_sums
 from tests.model.eigen import frequencies, true_limit
 from verification.fixtures import models, shapes
+from verification.scene_runs import result_of
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
 """Slivers with real masses cost most: turns and strains of a block share one length. Usual blocks reach 0.4 to 1."""
@@ -153,3 +154,14 @@ def test_row_sums_of_tets_are_those_of_the_stiffness_of_each():
         stiffness = volume * np.einsum("ak,ikjl,bl->aibj", slope, elasticity, slope)
         plain[tet] += np.abs(stiffness).sum(axis=(2, 3))
     np.testing.assert_allclose(sums, plain, rtol=1e-9)
+
+
+@pytest.mark.parametrize("masses", ["real", "scaled"])
+def test_what_is_held_and_led_throughout_has_a_step_by_which_its_strength_is_found(masses):
+    """Nothing is free: the upper unit is pulled off by a drive that leaves it no other motion."""
+    supports = [{"on": "bottom", "fix": "all"}, {"on": "top", "fix": ["x", "y", "rotation"]}]
+    pulled = {"drive.direction": "z", "drive.displacement": "0.006 mm", "drive.rate": "1 mm/s", "drive.accuracy": None}
+    scene = {"support": supports, "traction": [], "settle": None, "solver.masses": masses}
+    result = result_of("couplet", scene | pulled)
+    assert result.summary["peak_stress_pa"] == pytest.approx(0.58e6, rel=1e-2)
+    assert result.summary["steps"] > 100
