@@ -3,7 +3,6 @@
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from geometry.jit_cache import compiled
 from geometry.polyhedra.measures import sum_by_block
 from masonry.rows.history import Frame
 
@@ -61,7 +60,10 @@ class Deformation:
 
         corner, fraction  (n, 3) tet nodes round the point where its first is not -1, and their shape functions
         """
-        displacement = displaced(block, point, self._centre, self._shift, self.gradient)
+        arm = point - self._centre[block]
+        displacement = self._shift[block]
+        for i in range(3):  # one by one: nine numbers for every point are much
+            displacement[:, i] += np.einsum("nj,nj->n", self.gradient[block, i], arm)
         meshed = node >= 0
         displacement[meshed] = self._nodes[node[meshed]]
         if corner is not None and fraction is not None:
@@ -81,16 +83,3 @@ class Deformation:
             )
         )
         return a, b
-
-
-@compiled
-def displaced(owner, point, centre, shift, gradient):
-    """(n, 3) m, shift + gradient (point - centre) of points (n, 3): of each the centre (m, 3), shift (m, 3) and
-    gradient (m, 3, 3) of its owner (n,). Nothing is made on the way: for many points that costs more than the sums."""
-    moved = np.empty((len(point), 3))
-    for n in range(len(point)):
-        m = owner[n]
-        x, y, z = point[n, 0] - centre[m, 0], point[n, 1] - centre[m, 1], point[n, 2] - centre[m, 2]
-        for i in range(3):
-            moved[n, i] = shift[m, i] + ((gradient[m, i, 0] * x + gradient[m, i, 2] * z) + gradient[m, i, 1] * y)
-    return moved

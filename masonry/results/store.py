@@ -9,7 +9,7 @@ import numpy as np
 
 from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
-from masonry.results import archive, fields, joint_fields
+from masonry.results import archive, fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
 from masonry.results.summary import read_summary
@@ -39,6 +39,8 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
 
 def save_fields(result: ResultData, folder: Path) -> None:
     """Write the fields of blocks and joints, both or none. Raises OSError if the folder cannot be written to."""
+    from masonry.results import joint_fields  # has compiled loops, which who draws a result goes without
+
     with WholeFiles(folder) as grids:
         fields.write_blocks(grids.new(FIELDS[0]), result)
         joint_fields.write_joints(grids.new(FIELDS[1]), result)
