@@ -51,3 +51,17 @@ class AroundPeak(Remembering):
         beyond = rise * fall / (rise + fall) * way[self.peak - 1 : self.peak + 1]
         above = (slope[0] - slope[1]) * way[1] if self.peak == BESIDE else 0.0
         return float(max(min(beyond[0], above), beyond[-1], 0.0) / force[self.peak])
+
+
+def missed_between_rows(place: np.ndarray, force: np.ndarray, peak: int) -> float:
+    """The same of the rows of a curve, places (n,) m and forces (n,) N, around the peak of a drive that turns back: where
+    it turns nothing is missed."""
+    leg = np.sign(np.diff(place))
+    first, last = peak, peak
+    while first > max(peak - BESIDE, 0) and leg[first - 1] == leg[peak - 1]:
+        first -= 1
+    while last < min(peak + BESIDE, len(leg)) and peak > 0 and leg[last] == leg[peak - 1]:
+        last += 1
+    around = AroundPeak()
+    around.see(place[first : last + 1], force[first : last + 1], peak - first)
+    return around.missed()

@@ -13,16 +13,17 @@ from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
 from masonry.rows.peak import before_a_collapse, lowest_row, peak_row, turns_back
 from masonry.runtime.processors import Seconds
+from masonry.timeloop.around_peak import missed_between_rows
 from masonry.timeloop.gauge_columns import UniformGround
 
 
 @dataclass
 class Outcome:
     """What the loop found besides the rows: the peak seen at any step before a block had fallen, the share by which the
-    force may have been higher between two steps, the largest force after that (`blow`), and the lowest force; peak and
-    lowest force of rows, and no share, where the drive turned back; the times; what observers said at each row and of
-    the whole run, by their names for it; what came of the loading; the sudden cracks; the forces from outside and of
-    the contacts at the frames of the peak and of the end.
+    force may have been higher between two steps, the largest force after that (`blow`), and the lowest force; all but
+    `blow` of rows where the drive turned back; the times; what observers said at each row and of the whole run, by
+    their names for it; what came of the loading; the sudden cracks; the forces from outside and of the contacts at the
+    frames of the peak and of the end.
     """
 
     history: History
@@ -56,9 +57,9 @@ class Outcome:
         rows = self.standing_rows
         if not turns_back(rows.get("displacement", np.zeros(0))):
             return
-        self.missed_between_steps = None
         peak, lowest = peak_row(rows), lowest_row(rows)
         force, place = rows["force"], rows["displacement"]
+        self.missed_between_steps = missed_between_rows(place, force, peak)
         self.peak_force, self.displacement_at_peak = float(force[peak]), float(place[peak])
         self.lowest_force, self.displacement_at_lowest = 0.0, 0.0
         if force[lowest] < 0.0:

@@ -50,7 +50,12 @@ LIMITS = [
         0.01,
         "steps are long beside the swings, which are too wide by 1 % and too fast by 0.3",
     ),
-    (DRIVEN, "missed_between_steps", 0.01, "the force rises and falls so fast at the peak that it may be up to 1 % hi"),
+    (
+        DRIVEN,
+        "missed_between_steps",
+        0.01,
+        "the force rises and falls so fast in the steps or rows at the peak that",
+    ),
     (with_numbers(DRIVEN, control__accuracy=0.03), "missed_between_steps", 0.03, "the force rises and falls so fast"),
     (AT_REST, "energy_j__kinetic", 1e-4, "the specimen still moves at the end: its kinetic energy is 1e-06"),
     (

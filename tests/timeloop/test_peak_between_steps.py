@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.timeloop.around_peak import AroundPeak
+from masonry.timeloop.around_peak import AroundPeak, missed_between_rows
 from verification.scene_runs import result_of
 
 STRENGTH = 0.87e6 + 1.01 * 0.5e6
@@ -17,6 +17,21 @@ def test_what_a_couplet_bears_beyond_the_highest_step_is_told(law, steps):
     missed, lacks = result.summary["missed_between_steps"], STRENGTH / result.summary["peak_stress_pa"] - 1.0
     assert lacks <= missed + 1e-3, "the force of a step is that of the slip half a step before, but for rounding"
     assert ("peak_between_steps" in [doubt.name for doubt in result.doubts]) == (missed > 0.01)
+
+
+@pytest.mark.parametrize("steps", [150, 500, 2000])
+def test_what_a_drive_that_turns_back_misses_between_two_rows_is_told(steps):
+    there_and_back = {"law": "brittle", "drive.accuracy": None, "drive.steps": steps}
+    history = {"drive.displacement": None, "drive.history": ["0.1 mm", "-0.1 mm"]}
+    result = result_of("couplet", there_and_back | history)
+    missed, lacks = result.summary["missed_between_steps"], STRENGTH / result.summary["peak_stress_pa"] - 1.0
+    assert lacks <= missed + 1e-3 and missed > 0.005
+
+
+def test_nothing_is_missed_where_a_drive_turns():
+    place, force = np.array([0.0, 1.0, 2.0, 1.0, 0.0]), np.array([0.0, 4.0, 8.0, 4.0, 0.0])
+    assert missed_between_rows(place, force, 2) == 0.0
+    assert missed_between_rows(np.arange(5.0), force, 2) > 0.2
 
 
 @pytest.mark.parametrize("place", np.linspace(0.0, 1.0, 7))

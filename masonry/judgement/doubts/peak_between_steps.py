@@ -1,4 +1,5 @@
-"""Did the peak lie between two steps? By how much more the force may have been there, over the highest of any step.
+"""Did the peak lie between two steps, or two rows where the drive turns back? By how much more the force may have been
+there, over the peak.
 
 The limit is the accuracy that the drive was asked for; 1 % where none was, as is usually asked of a run.
 """
@@ -21,7 +22,8 @@ PEAK_BETWEEN_STEPS = Criterion(
     name="peak_between_steps",
     measure=lambda evidence: evidence.number("missed_between_steps"),
     limit=accuracy,
-    sentence="the force rises and falls so fast at the peak that it may be up to {percent} higher between two steps",
+    sentence="the force rises and falls so fast in the steps or rows at the peak that it may be up to {percent} higher "
+    "between two of them",
     advice=lambda evidence: MORE if evidence.table("control") else "take more steps, or give drive.accuracy",
     asked_of=lambda evidence: evidence.number("missed_between_steps") is not None and has_strength(evidence),
 )
