@@ -54,8 +54,8 @@ class AroundPeak(Remembering):
 
 
 def missed_between_rows(place: np.ndarray, force: np.ndarray, peak: int) -> float:
-    """The same of the rows of a curve, places (n,) m and forces (n,) N, around the peak of a drive that turns back: where
-    it turns nothing is missed."""
+    """The same of the rows of a curve, places (n,) m and forces (n,) N, around the peak of a drive that turns back:
+    where it turns nothing is missed."""
     leg = np.sign(np.diff(place))
     first, last = peak, peak
     while first > max(peak - BESIDE, 0) and leg[first - 1] == leg[peak - 1]:
