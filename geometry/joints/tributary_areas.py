@@ -3,7 +3,6 @@
 import numpy as np
 
 from geometry.blocks import Joints
-from geometry.jit_cache import compiled
 from geometry.polyhedra.polygons import pad, unpad, widen
 
 NEIGHBOURS = 8
@@ -17,6 +16,8 @@ def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
 
     The tiles of a joint polygon cover it once (Voronoi 1908). Points that coincide have the same tile.
     """
+    from geometry.joints.cut_tiles import cut_at_neighbours  # compiled: pictures that need no tiles go without
+
     polygon, sides = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     corners, count = polygon[joints.patch], sides[joints.patch]
     most = int(np.bincount(joints.patch).max(initial=1))
@@ -25,57 +26,11 @@ def tiles(joints: Joints) -> tuple[np.ndarray, np.ndarray]:
         near_by = min(most, max(seen * 2, NEIGHBOURS))
         distance, near = _nearest(joints, open_, near_by)
         corners = widen(corners, int(count.max()) + near_by - seen)  # a cut adds one at most
-        reach = _cut_at_neighbours(corners, count, joints.point, open_, near[:, seen:], distance[:, seen:])
+        reach = cut_at_neighbours(corners, count, joints.point, open_, near[:, seen:], distance[:, seen:])
         corners = corners[:, : int(count.max())]
         open_, seen = open_[distance[:, -1] < reach], near_by
     start, points = unpad(corners, count)
     return start, points
-
-
-@compiled
-def _cut_at_neighbours(corners, count, point, which, near, distance):
-    """Cut the polygons of some points (n,), corners (C, K, 3) with count (C,), halfway to their neighbours (n, m), the
-    nearest first, as far as these are near enough to matter; returns twice how far each then reaches (n,) m. As `cut`
-    does, polygon by polygon: many are cut, and few corners are left of each."""
-    beyond, before = np.empty(corners.shape[1]), np.empty((corners.shape[1], 3))
-    reach = np.empty(len(which))
-    for n in range(len(which)):
-        own = which[n]
-        reach[n] = _twice_farthest(corners[own], count[own], point[own])
-        for m in range(near.shape[1]):
-            if not 0.0 < distance[n, m] < reach[n]:
-                continue
-            sides, other = count[own], near[n, m]
-            for k in range(sides):
-                beyond[k] = 0.0
-                for i in (0, 2, 1):
-                    middle = 0.5 * (point[own, i] + point[other, i])
-                    beyond[k] += (middle - corners[own, k, i]) * (point[other, i] - point[own, i])
-                before[k] = corners[own, k]
-            left = 0
-            for k in range(sides):
-                after = (k + 1) % sides
-                if beyond[k] >= 0.0:
-                    corners[own, left] = before[k]
-                    left += 1
-                if beyond[k] * beyond[after] < 0.0:
-                    fraction = beyond[k] / (beyond[k] - beyond[after])
-                    for i in range(3):
-                        corners[own, left, i] = before[k, i] + fraction * (before[after, i] - before[k, i])
-                    left += 1
-            count[own] = left
-            reach[n] = _twice_farthest(corners[own], left, point[own])
-    return reach
-
-
-@compiled
-def _twice_farthest(corners, count, point):
-    """Twice the distance (m) of the farthest of the first corners (K, 3) from a point (3,)."""
-    largest = 0.0
-    for k in range(count):
-        x, y, z = corners[k, 0] - point[0], corners[k, 1] - point[1], corners[k, 2] - point[2]
-        largest = max(largest, (x * x + y * y) + z * z)
-    return 2.0 * np.sqrt(largest)
 
 
 def _nearest(joints: Joints, which: np.ndarray, number: int) -> tuple[np.ndarray, np.ndarray]:
