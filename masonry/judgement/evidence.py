@@ -38,6 +38,11 @@ class Evidence:
         """Whether masses are real, and the run is a motion in time."""
         return bool(self.summary.get("in_real_time"))
 
+    def accuracy(self, otherwise: float) -> float:
+        """The accuracy that the drive was asked for; another number where none was."""
+        value = self.number("control.accuracy")
+        return otherwise if value is None else value
+
     @property
     def has_drive(self) -> bool:
         """Whether something is driven."""

@@ -6,22 +6,14 @@ The limit is the accuracy that the drive was asked for; 1 % where none was, as i
 
 from masonry.judgement.doubt import Criterion
 from masonry.judgement.doubts.peak_passed import LIMIT, has_strength
-from masonry.judgement.evidence import Evidence
 
 MORE = "take more of drive.steps in place of drive.accuracy"
 """The steps that lead to the first crack do not go with the accuracy."""
 
-
-def accuracy(evidence: Evidence) -> float:
-    """That of the drive."""
-    value = evidence.number("control.accuracy")
-    return LIMIT if value is None else value
-
-
 PEAK_BETWEEN_STEPS = Criterion(
     name="peak_between_steps",
     measure=lambda evidence: evidence.number("missed_between_steps"),
-    limit=accuracy,
+    limit=lambda evidence: evidence.accuracy(LIMIT),
     sentence="the force rises and falls so fast in the steps or rows at the peak that it may be up to {percent} higher "
     "between two of them",
     advice=lambda evidence: MORE if evidence.table("control") else "take more steps, or give drive.accuracy",

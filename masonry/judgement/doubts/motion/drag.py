@@ -6,20 +6,12 @@ The limit is the accuracy that the drive was asked for.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import percent
-
-
-def accuracy(evidence: Evidence) -> float:
-    """That of the drive; 1 where none was asked for."""
-    value = evidence.number("control.accuracy")
-    return 1.0 if value is None else value
-
 
 DRAG = Criterion(
     name="drag_at_peak",
     measure=lambda evidence: evidence.number("control.drag_at_peak"),
-    limit=accuracy,
+    limit=lambda evidence: evidence.accuracy(1.0),
     sentence=lambda evidence, value: (
         f"damping took {percent(min(value, 1.0))} of the force at the peak, which may be too high by as much"
     ),
