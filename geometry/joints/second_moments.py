@@ -27,12 +27,18 @@ def lacking_flexibility(joints: Joints) -> np.ndarray:
     return np.asarray(np.where(fits[:, None, None], lacks, 0.0))
 
 
-def _of_points(joints: Joints, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """(J, 3, 3) m4 and (J,) m2, of the contact points of each face."""
+def arms(joints: Joints) -> np.ndarray:
+    """(C, 3) m, from the middle of the contact points of each face to its points."""
+    count = len(joints.patch_start) - 1
     area = np.bincount(joints.patch, joints.area, count)
     sums = [np.bincount(joints.patch, joints.area * along, count) for along in joints.point.T]
     middle = np.stack(sums, axis=1) / np.maximum(area, 1e-300)[:, None]
-    arm = joints.point - middle[joints.patch]
+    return np.asarray(joints.point - middle[joints.patch])
+
+
+def _of_points(joints: Joints, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """(J, 3, 3) m4 and (J,) m2, of the contact points of each face."""
+    area, arm = np.bincount(joints.patch, joints.area, count), arms(joints)
     products = [np.bincount(joints.patch, joints.area * a * b, count) for a in arm.T for b in arm.T]
     return np.stack(products, axis=1).reshape(-1, 3, 3), area
 

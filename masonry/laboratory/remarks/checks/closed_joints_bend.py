@@ -23,7 +23,8 @@ def remarks(assembly: Assembly) -> list[str]:
     dry = any(is_dry(assembly, g) for g in range(len(assembly.model.group_names)))
     if scene.drive is not None or scene.limit is not None or dry or not 0 < len(joints.area) <= MOST:
         return []
-    if not np.abs(lacking_flexibility(joints)).max() * float(joints.area.max()) ** 2 > WITHOUT:
+    lacks = lacking_flexibility(joints)
+    if not np.abs(lacks).max() * float(joints.area.max()) ** 2 > WITHOUT:
         return []
     oscillator = oscillator_of(scene)
     if not oscillator.load[oscillator.free].any():
@@ -33,7 +34,7 @@ def remarks(assembly: Assembly) -> list[str]:
     except SceneError:  # it does not stand, whatever its points are
         return []
     work = np.column_stack([oscillator.normal, oscillator.shear, oscillator.shear]) * jump**2
-    more = lacking_work(oscillator, oscillator.normal * jump[:, 0])
+    more = lacking_work(oscillator, lacks, oscillator.normal * jump[:, 0])
     off = more / max(float(work.sum()) + more, 1e-300)
     if off <= WITHOUT:
         return []
