@@ -10,6 +10,11 @@
 """
 
 import os
+import sys
+
+if sys.argv[:1] == ["-m"] and sys.path[0] == os.getcwd() != os.path.dirname(os.path.dirname(__file__)):
+    del sys.path[0]  # by `python -m masonry` it is the current folder, with whatever lies beside a scene
+
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 

@@ -2,16 +2,18 @@
 
 import contextlib
 import io
-import multiprocessing
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
+
+from sphinx.errors import ExtensionError
 
 import masonry
 from masonry.cli.main import main
 from masonry.drawings.geometry_picture import draw_geometry
 from masonry.importing.data_sets import DATA_SETS, DataSet
+from masonry.runtime.processes import Lost, work
 from masonry.runtime.processors import processors
 from masonry.scene import load, packaged
 
@@ -27,11 +29,16 @@ def draw(folder: Path) -> None:
     newest = max(path.stat().st_mtime for path in PACKAGE.rglob("*.*") if path.suffix in (".py", ".toml"))
     scenes = [name for name in packaged() if any(_is_due(path, newest) for path in _pictures(name, folder))]
     imports = [data for data in DATA_SETS if _is_due(_imported_files(data, folder)[0], newest)]
-    with ProcessPoolExecutor(processors(), multiprocessing.get_context("spawn")) as pool:
-        jobs = [pool.submit(_draw_import, data, folder) for data in imports]  # the longest first
-        jobs += [pool.submit(_draw_scene, name, folder) for name in scenes]
-        for job in jobs:
-            job.result()
+    drawings = [partial(_draw_import, data, folder) for data in imports]  # the longest first
+    drawings += [partial(_draw_scene, name, folder) for name in scenes]
+    with contextlib.closing(work(_carry_out, drawings, processors())) as ends:
+        for number, end in ends:
+            if isinstance(end, Lost):
+                raise ExtensionError(f"{drawings[number].args[0]} could not be drawn: {end.reason}")
+
+
+def _carry_out(drawing: Callable[[], None]) -> None:
+    drawing()
 
 
 def page(folder: Path) -> str:

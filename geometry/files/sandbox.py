@@ -18,11 +18,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Imported, TetMesh
+from geometry.child_python import child_command
 from geometry.files.atomic import require_file
 
 LARGEST = 500_000_000  # bytes of a file
@@ -73,11 +74,10 @@ def _size_of_folder(path: Path) -> int:
 
 def begin(task: str, folder: Path, alive: int) -> Any:
     """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
-    house = str(Path(__file__).resolve().parents[2])
-    surroundings = {**os.environ, "PYTHONPATH": house, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    surroundings = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
     surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
     return subprocess.Popen(
-        [sys.executable, "-m", "geometry.files.sandbox", task, str(alive)],
+        child_command("geometry.files.sandbox", task, str(alive)),
         cwd=folder,
         env=surroundings,
         stdin=subprocess.DEVNULL,
@@ -150,7 +150,8 @@ def _end_with_asker(alive: int) -> None:
     os._exit(1)
 
 
-if __name__ == "__main__":
+def main() -> NoReturn:
+    """The reader's process: its task, and the pipe that tells whether somebody waits for it."""
     threading.Thread(target=_end_with_asker, args=(int(sys.argv[2]),), daemon=True).start()
     sys.exit(serve(sys.argv[1]))
 

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from multiprocessing import parent_process
 from typing import Any
 
+from geometry.child_python import child_command
 from masonry.jit.compiler import STEP, is_begun
 
 MOST = 4
@@ -56,15 +57,13 @@ def _compile_free(work: Work) -> None:
 def _others(work: Work, count: int) -> Iterator[None]:
     """Let `count` other processes compile meanwhile."""
     order = pickle.dumps([(part.module, part.name, kind) for part, kind in reversed(work)])
-    command, where = [sys.executable, "-m", "masonry.jit.workers"], os.pathsep.join(filter(None, sys.path))
-    others = []
+    command, others = child_command("masonry.jit.workers"), []
     try:
         for _ in range(count):
             with contextlib.suppress(OSError):
                 other = subprocess.Popen(
-                    command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                    env={**os.environ, "PYTHONPATH": where},
-                )  # fmt: skip
+                    command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+                )
                 others.append(other)
                 assert other.stdin is not None
                 other.stdin.write(order)
@@ -85,7 +84,3 @@ def main() -> None:
         part = getattr(importlib.import_module(module), name)
         if not part.is_compiled(kind) and not is_begun(part.stamp(kind)):
             part.compile(kind)
-
-
-if __name__ == "__main__":
-    main()

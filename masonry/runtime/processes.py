@@ -5,19 +5,24 @@ import math
 import os
 import shutil
 import signal
+import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import dataclass
 from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection, wait
 from pickle import PickleError
+from types import ModuleType
 from typing import Any
 
 from masonry.runtime.progress import duration
 
 Act = Callable[[Any], Any]
+SAFE_PATH = "PYTHONSAFEPATH"
+"""The variable that keeps Python from looking into the current folder first."""
+STARTING = threading.Lock()
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,8 @@ class _Worker:
         context = get_context("spawn")
         self.pipe, theirs = context.Pipe()
         self.process: Any = context.Process(target=_serve, args=(theirs, act, scratch), daemon=True)
-        self.process.start()
+        with _apart():
+            self.process.start()
         theirs.close()
         self.task: int | None = None
         self.begun = 0.0
@@ -108,6 +114,23 @@ class _Worker:
         if self.process.is_alive():
             self.process.kill()
             self.process.join()
+
+
+@contextlib.contextmanager
+def _apart() -> Iterator[None]:
+    """Have a process that is started within run nothing that is not ours: no module of the standard library that it
+    would look for in the current folder, and not the script of the user once more, of which its tasks need nothing."""
+    with STARTING:
+        script, before = sys.modules["__main__"], os.environ.get(SAFE_PATH)
+        sys.modules["__main__"], os.environ[SAFE_PATH] = ModuleType("__main__"), "1"
+        try:
+            yield
+        finally:
+            sys.modules["__main__"] = script
+            if before is None:
+                del os.environ[SAFE_PATH]
+            else:
+                os.environ[SAFE_PATH] = before
 
 
 def _serve(pipe: Connection, act: Act, scratch: str) -> None:
