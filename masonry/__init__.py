@@ -267,8 +267,8 @@ def sensitivity(
     quick    one variant of each kind, and none of the slow kinds
     workers  processes (default: all processors); tell is called with a line for each run that ends
     form     of the picture: "png", "pdf" or "svg"
-    What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Processes are started afresh, so a
-    script needs `if __name__ == "__main__":`. Raises SceneError or GeometryError before anything runs.
+    What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Raises SceneError or GeometryError
+    before anything runs.
 
     >>> scene = masonry.load("couplet", {"drive.accuracy": "10 %", "confinement": "0.1 MPa"})
     >>> found = masonry.sensitivity(scene, only=["coupling"], quick=True, workers=1)
@@ -310,8 +310,8 @@ def sweep(
     overwrite the table of another sweep in `out` is replaced
     progress  True: a line on standard error for each run that ends; None: in a notebook only; or a function of a line
     form      of the pictures: "png", "pdf" or "svg"
-    What comes back prints as `masonry sweep` does; `.table` (pandas), `.rows`, `.result(index)`, `.plot()`. Processes
-    are started afresh, so a script needs `if __name__ == "__main__":`. Raises SceneError before anything runs.
+    What comes back prints as `masonry sweep` does; `.table` (pandas), `.rows`, `.result(index)`, `.plot()`. Raises
+    SceneError before anything runs.
 
     >>> short = masonry.load("couplet", {"drive.accuracy": "10 %"})
     >>> pressures = masonry.sweep(short, {"confinement": ["0.1 MPa", "0.5 MPa"]}, workers=0)

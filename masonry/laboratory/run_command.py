@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, Stopped
-from masonry.runtime.ending import word_of
+from masonry.runtime.ending import word_of, word_of_signal
 from masonry.runtime.interrupts import Interrupts, interruptible
 from masonry.runtime.processors import AUTO, processors
 from masonry.runtime.shell import OK, STOPPED, complain
@@ -152,6 +152,9 @@ class _Run:
             return complain(
                 f"{words}; {self._how_to_go_on()}" if self.checkpoints.states() else words, self.interrupts.code
             )
+        if self.interrupts.number:
+            done = f"the run had come to its end, and its results are in '{self.out}'"
+            return complain(f"{word_of_signal(self.interrupts.number)}; {done}", self.interrupts.code)
         return OK
 
     def _print(self, paths: dict[str, Path], result: Any) -> None:

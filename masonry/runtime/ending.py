@@ -36,10 +36,11 @@ def code_of(error: KeyboardInterrupt) -> int:
 
 def word_of(error: KeyboardInterrupt) -> str:
     """What happened to the command, in a word."""
-    return _word(code_of(error) - 128)
+    return word_of_signal(code_of(error) - 128)
 
 
-def _word(number: int) -> str:
+def word_of_signal(number: int) -> str:
+    """What a signal of this number does to a command, in a word."""
     return WORDS.get(signal.Signals(number), "hung up")
 
 
@@ -69,7 +70,7 @@ class Command:
             if number not in SIGNALS or self.waits():
                 continue
             if not self.over.wait(GRACE):
-                os.write(2, f"masonry: {_word(number)}; ended at once\n".encode())
+                os.write(2, f"masonry: {word_of_signal(number)}; ended at once\n".encode())
                 os._exit(128 + number)
 
 

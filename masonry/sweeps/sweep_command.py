@@ -1,16 +1,19 @@
 """`masonry sweep`: runs a scene many times over, and makes one table of it.
 
 Exit codes: 0 all runs ended, the failed ones as rows with their reason; 2 something wrong with the words, the sweep
-file or a scene, and nothing was run; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
+file or a scene, and nothing was run; 3 no run came to its end; 130 interrupted, 143 terminated: what is done stays, and
+the same command goes on.
 """
 
+from collections import Counter
 from pathlib import Path
 
 from masonry.errors import SceneError
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
-from masonry.runtime.shell import OK, Parser, add_format, tell
+from masonry.runtime.shell import OK, STOPPED, Parser, add_format, complain, tell
 from masonry.sweeps.read import read
+from masonry.sweeps.work import OK as DONE
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
@@ -56,4 +59,7 @@ def main(arguments: list[str] | None = None) -> int:
         return code_of(ended)
     if not words.quiet:
         print(result)
+    if all(row["status"] != DONE for row in result.outcomes):
+        reason, count = Counter(row["reason"] for row in result.outcomes).most_common(1)[0]
+        return complain(f"no run came to its end; of {count} of {len(result.outcomes)} runs: {reason}", STOPPED)
     return OK

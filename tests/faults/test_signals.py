@@ -8,6 +8,7 @@ import threading
 
 import pytest
 
+from masonry.results import store
 from masonry.runtime.interrupts import interruptible
 from tests.faults.compare import differences
 from tests.faults.process import Process, states
@@ -69,8 +70,26 @@ def test_a_second_ctrl_c_ends_at_once_with_what_was_written_before(tmp_path):
     assert not (tmp_path / "out" / "cracks.png").exists() and states(tmp_path / "out")
 
 
+@pytest.mark.parametrize(("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGHUP, 129, "hung")])
+def test_a_signal_while_results_are_written_leaves_all_of_them_and_tells_the_shell(
+    number, code, word, alone, tmp_path, monkeypatch, capsys
+):
+    save_fields = store.save_fields
+
+    def signalled(*what: object) -> None:
+        signal.raise_signal(number)
+        save_fields(*what)
+
+    monkeypatch.setattr(store, "save_fields", signalled)
+    assert run(tmp_path / "out") == code
+    said = capsys.readouterr().err
+    assert f"masonry: {word}" in said and f"its results are in '{tmp_path / 'out'}'" in said
+    assert differences(alone, tmp_path / "out") == [] and not (tmp_path / "out" / "checkpoint").exists()
+
+
 HALF_MADE = """
 import os, signal, zipfile
+from masonry.results import store
 from masonry.runtime.interrupts import interruptible
 with interruptible() as asked:
     asked()

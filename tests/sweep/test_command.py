@@ -12,9 +12,10 @@ import pytest
 from pyarrow import parquet
 
 from masonry.cli.main import main
+from masonry.sweeps import engine
 from masonry.sweeps.sweep_table import write_table
 from tests.docs.pages import blocks
-from tests.sweep.samples import marks, text, untimed
+from tests.sweep.samples import dying, marks, text, untimed
 
 ROOT = Path(__file__).resolve().parents[2]
 GRID = '[grid]\nconfinement = ["0.1 MPa", "0.2 MPa", "0.3 MPa"]\n"solver.damping" = [0.7, 0.8]\n'
@@ -146,6 +147,17 @@ def test_a_wrong_key_is_one_message_and_nothing_is_written(sweep, capsys):
     said = capsys.readouterr().err
     assert said.count("\n") == 1 and "did you mean 'cohesion'" in said
     assert sorted(os.listdir()) == ["sweep.toml"]
+
+
+def test_a_sweep_of_which_no_run_came_to_its_end_says_why_and_does_not_return_0(sweep, capsys, monkeypatch):
+    path = sweep('[grid]\nconfinement = ["0.2 MPa"]\n"solver.damping" = [0.7, 0.8]')
+    with monkeypatch.context() as patched:
+        patched.setattr(engine, "compute", dying)
+        assert main(["sweep", path, "--workers", "1", "--out", "out", "--quiet"]) == 3
+    said = capsys.readouterr()
+    reason = "no run came to its end; of 2 of 2 runs: the process died (exit code 7)"
+    assert said.err == f"masonry: {reason}\n" and [row["status"] for row in table("out")] == ["ERROR"] * 2
+    assert main(["sweep", path, "--workers", "1", "--out", "out", "--quiet"]) == 0
 
 
 WRONG = {

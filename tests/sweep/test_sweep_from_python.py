@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -23,6 +25,7 @@ from tests.python.test_scenes_of_tables import NAMED
 from tests.sweep.samples import SHORT, marks, mistaken, untimed
 from tests.sweep.test_sweep_picture import grid
 
+ROOT = Path(__file__).resolve().parents[2]
 STRENGTH, SHEAR = "contact.unit_unit.tensile_strength", "contact.unit_unit.fracture_energy_mode_2"
 BRITTLE = {"law": "linear", "contact.unit_unit.fracture_energy_mode_2_slope": "0 N/m/MPa"}
 
@@ -43,6 +46,22 @@ def test_a_table_of_pandas_has_a_row_a_run_with_strengths_as_they_are_used(coupl
     assert result.result(-1).peak.stress == table["peak_stress_pa"].iloc[-1]
     assert "4 OK" in repr(result) and {"sweep.csv", "sweep.png", "sweep-map.png"} < set(os.listdir(result.folder))
     assert "0.8614" not in repr(result) and "(8.614e+05 Pa used)" in listed(couplet)
+
+
+SCRIPT = f"""
+import sys
+sys.path.append({str(ROOT)!r})
+import masonry
+print("run")
+scene = masonry.load("couplet", {SHORT})
+print(masonry.sweep(scene, {{"confinement": ["0.1 MPa", "0.5 MPa"]}}, "out", workers=2).columns["status"])
+"""
+
+
+def test_a_script_without_a_main_guard_is_not_run_again_by_the_processes_of_its_sweep(tmp_path):
+    (tmp_path / "script.py").write_text(SCRIPT)
+    done = subprocess.run([sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("run\n['OK', 'OK']\n", "")
 
 
 def test_pictures_in_another_format_take_the_place_of_the_first(couplet):
