@@ -17,6 +17,8 @@ from numba.core.runtime import rtsys
 
 NOT_KEPT: list[str] = []
 """Why something that was compiled by this process could not be kept, one line each."""
+NOWHERE: list[str] = []
+"""Why nothing is kept at all, where that is so: there is no folder that this user, and nobody else, may write to."""
 DIGEST = hashlib.sha256().digest_size
 
 
@@ -85,8 +87,15 @@ class CheckedCache(FunctionCache):
             NOT_KEPT.append(f"{self._cache_path}: {error.strerror or error}")
 
 
+def keep_code(dispatcher: Any, function: Callable[..., Any]) -> None:
+    """Have what is compiled of a function kept, where there is a place for it."""
+    with contextlib.suppress(RuntimeError):  # Numba's word for none
+        if not NOWHERE:
+            dispatcher._cache = CheckedCache(function)
+
+
 def compiled(function: Callable[..., Any]) -> Any:
     """A decorator: compile by `numba.njit`, and keep what was compiled."""
     dispatcher = njit(function)
-    dispatcher._cache = CheckedCache(function)
+    keep_code(dispatcher, function)
     return dispatcher

@@ -3,9 +3,7 @@
 import importlib
 import os
 import re
-import tempfile
 from importlib import metadata
-from pathlib import Path
 
 from masonry.errors import extra as how_to_install
 from masonry.runtime.processors import processors
@@ -86,20 +84,15 @@ def _requirements() -> list[tuple[str, str]]:
 def cached_code() -> Finding:
     """Where compiled code is kept between runs, how much of it there is, and how much of it is of this version."""
     try:
-        compiler = importlib.import_module("masonry.jit.compiler")
+        importlib.import_module("masonry.jit.compiler")
+        cache = importlib.import_module("masonry.jit.cache_folder")
     except (ImportError, OSError) as error:
         return False, f"nothing can be compiled ({error})"
-    folder: Path = compiler.cache_root()
-    files = [path.stat().st_size for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            pass
+        step, _ = cache.cache_folders()
     except OSError as error:
-        return False, (
-            f"{folder} cannot be written to ({error.strerror}): every run will compile anew; set MASONRY_CACHE to"
-            " another folder"
-        )
-    kinds = len(list(Path(compiler.STEP).glob("*.compiled"))) if compiler.STEP else 0
+        return False, f"{cache.words_of(error)}: every run will compile anew; set MASONRY_CACHE to another folder"
+    files = [path.stat().st_size for path in step.parent.rglob("*") if path.is_file()]
+    kinds = len(list(step.glob("*.compiled")))
     size = f"{sum(files) / 1e6:.1f} MB in {len(files)} files"
-    return True, f"{folder}, {size}; of this version {kinds} kinds of step, which need not be compiled again"
+    return True, f"{step.parent}, {size}; of this version {kinds} kinds of step, which need not be compiled again"

@@ -173,7 +173,18 @@ def main(arguments: list[str] | None = None) -> int:
             raise
         return complain(f"'{error.filename}': no file can have a name as long as this; give a shorter one", USAGE)
     finally:
+        _tell_where_nothing_is_kept()
         flush_errors()
+
+
+def _tell_where_nothing_is_kept() -> None:
+    """Where code was compiled, or would have been, and the next command has to do it again."""
+    cache = sys.modules.get("geometry.jit_cache")
+    for why in getattr(cache, "NOWHERE", ()):
+        complain(
+            f"compiled code is not kept, so each command compiles it again: {why}; set MASONRY_CACHE to another folder",
+            OK,
+        )
 
 
 def _geometry_error() -> type[Exception]:

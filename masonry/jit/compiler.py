@@ -8,67 +8,25 @@ of its NamedTuple, and so in the types that the step is compiled for.
 
 import contextlib
 import os
-import re
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numba
 
-from geometry.jit_cache import NOT_KEPT, CheckedCache
+from geometry.jit_cache import NOT_KEPT, NOWHERE, keep_code
+from masonry.jit.cache_folder import cache_folders, words_of
 from masonry.jit.linked_library import LinkedCompiler
-from masonry.jit.sources import COMPILED, source_hash
-
-KEPT = 5
-"""Cache folders of older sources that are kept."""
-OTHERS = "cells"
-"""The cache folder of what does not depend on laws, kernels and kinematics."""
-MARKER = "CACHEDIR.TAG"
-"""The file that marks a folder as a cache (bford.info/cachedir): programs that make backups leave it out."""
-OURS = (
-    b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by masonry-dem, which deletes this folder with all in it.\n"
-)
-"""What the marker says of a folder that was made here. Nothing is deleted that does not carry it."""
-
-
-def cache_root() -> Path:
-    """Where compiled steps are kept: `masonry-dem` in $MASONRY_CACHE, or in the user's cache folder."""
-    chosen = os.environ.get("MASONRY_CACHE") or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(chosen).absolute() / "masonry-dem"
 
 
 def _folders() -> tuple[str, str]:
-    """Where the step of these sources is kept, and where the rest is; "" (Numba's own choice) where nothing can be."""
-    root = cache_root()
-    mode = "-plain" if os.environ.get("MASONRY_LANES") == "0" else ""
-    folder, rest = root / f"{source_hash(COMPILED)}{mode}", root / OTHERS
+    """Where the step of these sources is kept, and where the rest is; "" where nothing can be, and NOWHERE says why."""
     try:
-        for path in (folder, rest):
-            _make(path)
-        os.utime(folder)
-        older = sorted(filter(_is_ours, root.iterdir()), key=lambda path: path.stat().st_mtime)
-        for stale in older[:-KEPT]:
-            shutil.rmtree(stale, ignore_errors=True)
-    except OSError:
+        step, rest = cache_folders()
+    except OSError as error:
+        NOWHERE.append(words_of(error))
         return "", ""
-    return str(folder), str(rest)
-
-
-def _make(folder: Path) -> None:
-    """Make a folder of the cache and mark it; one that is there already stays as it is, marked or not."""
-    if not folder.is_dir():
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / MARKER).write_bytes(OURS)
-
-
-def _is_ours(path: Path) -> bool:
-    """Whether this is a folder of compiled steps that was made here: by its name, and by the marker in it."""
-    named = re.fullmatch(r"[0-9a-f]{16}(-plain)?", path.name) is not None
-    try:
-        return named and not path.is_symlink() and (path / MARKER).read_bytes() == OURS
-    except OSError:
-        return False
+    return str(step), str(rest)
 
 
 STEP, REST = _folders()
@@ -104,7 +62,7 @@ def _kept(folder: str, keep: bool = True, **options: Any) -> Callable[[Any], Any
         try:
             dispatcher = decorate(function)
             if keep:
-                dispatcher._cache = CheckedCache(function)
+                keep_code(dispatcher, function)
             if options.get("no_cpython_wrapper"):
                 _refuse_python(dispatcher)
             return dispatcher
@@ -127,9 +85,9 @@ inner = _kept(STEP, _nrt=False, **LINKED)
 inlined = _kept(STEP, _nrt=False, forceinline=True, **LINKED)
 """The same for what is called in one place: an array is handed over as nine numbers, which costs as much as the work
 of a small function."""
-THREADS: dict[str, Any] = {"folder": f"{STEP}/threads"} if STEP else {"folder": "", "keep": False}
-jit_parallel = _kept(**THREADS, parallel=True)
-inner_parallel = _kept(**THREADS, parallel=True, no_cpython_wrapper=True)
+THREADS = f"{STEP}/threads" if STEP else ""
+jit_parallel = _kept(THREADS, parallel=True)
+inner_parallel = _kept(THREADS, parallel=True, no_cpython_wrapper=True)
 
 
 def is_kept(name: str, folder: str = STEP) -> bool:

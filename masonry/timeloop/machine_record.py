@@ -4,7 +4,7 @@ import contextlib
 import json
 
 from geometry.files.atomic import WholeFiles
-from masonry.jit.compiler import MARKER, OURS, cache_root
+from masonry.jit.cache_folder import MARKER, OURS, cache_root, require_own
 from masonry.runtime.processors import compiled_for
 
 FOLDER = "machine"
@@ -13,6 +13,7 @@ FOLDER = "machine"
 def read_record(name: str) -> dict[str, float]:
     """The table of this name; empty where there is none, or where it is of another processor."""
     try:
+        require_own(cache_root())
         record = json.loads((cache_root() / FOLDER / f"{name}.json").read_text(encoding="utf-8"))
         numbers = {str(key): float(value) for key, value in record["numbers"].items()}
         return numbers if record["processor"] == compiled_for() else {}
@@ -23,6 +24,8 @@ def read_record(name: str) -> dict[str, float]:
 def write_record(name: str, numbers: dict[str, float]) -> None:
     """Keep a table; nothing where it cannot be written."""
     record = {"processor": compiled_for(), "numbers": numbers}
-    with contextlib.suppress(OSError), WholeFiles(cache_root() / FOLDER) as files:
-        (cache_root() / FOLDER / MARKER).write_bytes(OURS)
-        files.text(f"{name}.json", json.dumps(record, indent=1))
+    with contextlib.suppress(OSError):
+        require_own(cache_root())
+        with WholeFiles(cache_root() / FOLDER) as files:
+            (cache_root() / FOLDER / MARKER).write_bytes(OURS)
+            files.text(f"{name}.json", json.dumps(record, indent=1))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from geometry.jit_cache import NOT_KEPT
+from geometry.jit_cache import NOT_KEPT, NOWHERE
 from masonry.errors import Stopped
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
@@ -28,8 +28,8 @@ def run(
     outcome = Outcome(History())
     outcome.seconds_compile = prepare(model, threads, progress)
     loading = plan.loading(model, recording.rows, recording.gauges)
-    if NOT_KEPT:
-        outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {NOT_KEPT[0]}")
+    for why in (*NOWHERE, *NOT_KEPT)[:1]:
+        outcome.log.append(f"what was compiled could not be kept, so the next run compiles it again: {why}")
     loop = Loop(model, loading, plan.settle, recording, threads, outcome)
     if checkpointer is not None and checkpointer.start(model, loop):
         outcome.log += [f"resumed at step {loop.done}", *checkpointer.remarks]

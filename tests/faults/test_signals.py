@@ -70,7 +70,9 @@ def test_a_second_ctrl_c_ends_at_once_with_what_was_written_before(tmp_path):
     assert not (tmp_path / "out" / "cracks.png").exists() and states(tmp_path / "out")
 
 
-@pytest.mark.parametrize(("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGHUP, 129, "hung")])
+@pytest.mark.parametrize(
+    ("number", "code", "word"), [(signal.SIGINT, 130, "interrupted"), (signal.SIGHUP, 129, "hung")]
+)
 def test_a_signal_while_results_are_written_leaves_all_of_them_and_tells_the_shell(
     number, code, word, alone, tmp_path, monkeypatch, capsys
 ):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from masonry.jit.compiler import cache_root
+from masonry.jit.cache_folder import cache_root
 from masonry.quantity import parse
 from masonry.runtime.processes import Lost
 from masonry.runtime.shell import OK

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry import __version__
-from masonry.jit.compiler import source_hash
+from masonry.jit.sources import source_hash
 from masonry.laboratory.result import Result, load_result
 from verification.html.page import Chapter, Verdict
 
