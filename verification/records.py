@@ -152,6 +152,8 @@ def require_writable(folder: Path) -> None:
         can_be_written(folder)
         if not existed:
             folder.rmdir()
+    if (folder / NAME).is_symlink():
+        raise SceneError(f"'{folder / NAME}' is a link, and would be replaced: move it, or name another folder")
     if (folder / NAME).exists():
         load(folder / NAME)
 

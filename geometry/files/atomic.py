@@ -4,7 +4,7 @@ import errno
 import os
 import re
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
@@ -64,6 +64,10 @@ class WholeFiles:
         """Write a text file, UTF-8 with newlines as they are."""
         self.new(name).write_text(content, encoding="utf-8", newline="\n")
 
+    def settle(self, files: Mapping[str, Path]) -> None:
+        """What a subclass asks or does once all files are written, by their names and where they are so far, and before
+        they take their names."""
+
     def __enter__(self) -> "WholeFiles":
         self.folder.mkdir(parents=True, exist_ok=True)
         return self
@@ -75,6 +79,7 @@ class WholeFiles:
             if kind is None:
                 for path in self._temporary.values():
                     _flush(path)
+                self.settle(self._temporary)
                 for name, path in self._temporary.items():
                     os.replace(path, self.folder / name)
                 _flush(self.folder)

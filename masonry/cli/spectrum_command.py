@@ -28,17 +28,17 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     words = parser().parse_args(arguments)
     damping = _damping(words.damping)
-    from geometry.files.atomic import WholeFiles
     from masonry.curves.response_spectra import spectra_csv, spectra_of
     from masonry.curves.spectrum_picture import spectra_figure
     from masonry.laboratory.result import load_result
     from masonry.pictures.style import write_picture
     from masonry.rows.columns import GRAVITY
     from masonry.runtime.folder import writing
+    from masonry.runtime.folders.own_files import ResultFiles
 
     result = load_result(words.folder)
     spectra = spectra_of(result, tuple(words.of), damping)
-    with writing(words.folder, "spectra"), WholeFiles(words.folder) as files:
+    with writing(words.folder, "spectra"), ResultFiles(words.folder) as files:
         files.text("spectrum.csv", spectra_csv(spectra))
         write_picture(spectra_figure(result, spectra), files.new(f"spectrum.{words.format}"))
     for name, answers, shortest in spectra:

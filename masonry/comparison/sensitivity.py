@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from geometry.files.atomic import WholeFiles
 from masonry.assembly.assemble import assemble
 from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.comparison import study_table
@@ -13,6 +12,7 @@ from masonry.comparison.study import DOING, TABLE, begin, study
 from masonry.comparison.variants import variants
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.runtime.lock import sole
 from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
@@ -77,7 +77,7 @@ def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]], form: str) ->
 
     with writing(folder):
         remove_pictures(folder, PICTURE)
-        with WholeFiles(folder) as files:
+        with ResultFiles(folder) as files:
             files.text(CSV, study_table.as_csv(rows))
             files.text(TABLE, study_table.as_json(rows))
             if any((folder / "runs" / row["key"] / "history.h5").is_file() for row in rows):

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from geometry.files.atomic import WholeFiles
 from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.judgement.sentence import trust
 from masonry.results.summary import read_summary
 from masonry.runtime.folder import RESULTS, claim_for_many, scene_name, writing
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
 from masonry.runtime.text_files import text_of
@@ -130,7 +130,7 @@ def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path
 
     name = f"{scene_name(scene.name)}-sensitivity"
     folder = claim_for_many(name, out, overwrite, difference, TABLE, results)
-    with writing(folder), sole(folder, DOING), WholeFiles(folder) as files:
+    with writing(folder), sole(folder, DOING), ResultFiles(folder) as files:
         files.text(SCENE, text)
     return folder
 

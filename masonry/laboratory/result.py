@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from geometry.files.atomic import WholeFiles
 from masonry.laboratory.text import summary_rows, summary_text
 from masonry.results import store
 from masonry.results.data import ResultData
+from masonry.runtime.folders.own_files import ResultFiles, require_own
 from masonry.runtime.tables import html_table
 
 if TYPE_CHECKING:
@@ -28,9 +28,11 @@ class Result(ResultData):
         """Write every file to the folder `out`, made if need be; returns file name -> path.
 
         Each file appears whole or not at all: numbers first, then fields and pictures. Values that are not finite are
-        not written; the log says so. Raises OSError if the folder cannot be written to.
+        not written; the log says so. Raises OSError if the folder cannot be written to, SceneError where a file there
+        that masonry did not write would be replaced; then none is written.
         """
         folder = Path(out)
+        require_own(folder, (*store.NUMBERS, *store.FIELDS, *PICTURES))
         result = self.finite()
         result.save_numbers(folder)
         store.save_fields(result, folder)
@@ -43,13 +45,14 @@ class Result(ResultData):
 
     def save_pictures(self, folder: Path, form: str = "png") -> dict[str, Path]:
         """Write curve.png and cracks.png only, or as "pdf" or "svg"; returns file name -> path."""
+        require_own(folder, [Path(name).with_suffix(f".{form}").name for name in PICTURES])
         paths = [self.save_picture(folder, name, form) for name in PICTURES]
         return {path.name: path for path in paths}
 
     def save_picture(self, folder: Path, name: str, form: str = "png") -> Path:
         """Write one of PICTURES, whole or not at all; in another form under its name."""
         path = (folder / name).with_suffix(f".{form}")
-        with WholeFiles(folder) as pictures:
+        with ResultFiles(folder) as pictures:
             getattr(self, PICTURES[name])(pictures.new(path.name))
         return path
 

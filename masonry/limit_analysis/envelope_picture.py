@@ -1,6 +1,5 @@
 """The factor of a vehicle over its position, above the structure on the same scale, as a picture and as a table."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -57,14 +56,6 @@ def envelope_figure(result: LimitData) -> Any:
     below.set_ylabel("z, m")
     below.spines[["top", "right"]].set_visible(False)
     return figure
-
-
-def is_envelope_table(path: Path) -> bool:
-    """Whether a file is such a table, by its first line."""
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return file.read(len(HEADER)) == HEADER.encode()
 
 
 def envelope_table(envelope: FactorEnvelope) -> str:

@@ -3,12 +3,12 @@
 import json
 from pathlib import Path
 
-from geometry.files.atomic import WholeFiles
-from masonry.limit_analysis.envelope_picture import envelope_figure, envelope_table, is_envelope_table
+from masonry.limit_analysis.envelope_picture import envelope_figure, envelope_table
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
 from masonry.pictures.style import write_picture
+from masonry.runtime.folders.own_files import ResultFiles, remove_own
 from masonry.runtime.named_file import remove_pictures
 
 
@@ -20,9 +20,8 @@ class LimitResult(LimitData):
         all or none; returns their paths. form: of the pictures, "png", "pdf" or "svg"."""
         folder, names = Path(folder), ["limit.json", f"mechanism.{form}", f"thrust.{form}"]
         remove_pictures(folder, "mechanism", "thrust", "envelope")
-        if is_envelope_table(folder / "envelope.csv"):
-            (folder / "envelope.csv").unlink()
-        with WholeFiles(folder) as files:
+        remove_own(folder, "envelope.csv")
+        with ResultFiles(folder) as files:
             files.text("limit.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
             write_picture(mechanism_figure(self, view), files.new(names[1]))
             write_picture(thrust_figure(self, view), files.new(names[2]))

@@ -3,11 +3,11 @@
 import json
 from pathlib import Path
 
-from geometry.files.atomic import WholeFiles
 from masonry.modal_analysis.mode_pictures import modes_figure
 from masonry.modal_analysis.modes_data import ModesData
 from masonry.modal_analysis.modes_text import result_text
 from masonry.pictures.style import write_picture
+from masonry.runtime.folders.own_files import ResultFiles
 
 
 class ModesResult(ModesData):
@@ -19,7 +19,7 @@ class ModesResult(ModesData):
         form: of the picture, "png", "pdf" or "svg"
         """
         folder = Path(folder)
-        with WholeFiles(folder) as files:
+        with ResultFiles(folder) as files:
             files.text("modes.json", json.dumps(self.as_data(), indent=1, allow_nan=False) + "\n")
             if not len(self.frequencies):
                 return [folder / "modes.json"]

@@ -1,5 +1,6 @@
 """A movie of a run as a file: GIF by Pillow, which comes with matplotlib, MP4 by ffmpeg."""
 
+import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
@@ -105,8 +106,8 @@ def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmp
 
 
 def _ffmpeg() -> str:
-    """The ffmpeg of the system, else that of imageio-ffmpeg."""
-    if program := shutil.which("ffmpeg"):
+    """The ffmpeg of the system, else that of imageio-ffmpeg; none of the current folder, where PATH names that."""
+    if program := shutil.which("ffmpeg", path=os.pathsep.join(filter(os.path.isabs, os.get_exec_path()))):
         return program
     try:
         from imageio_ffmpeg import get_ffmpeg_exe

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.results import archive, fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
 from masonry.results.summary import read_summary
 from masonry.results.table import csv_text
+from masonry.runtime.folders.own_files import ResultFiles
 
 NUMBERS = ("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log")
 """Files of numbers and words."""
@@ -27,7 +27,7 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
     Values that are not finite are not written; the log says so. Raises OSError if the folder cannot be written to.
     """
     result = result.finite()
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         archive.write(files.new("history.h5"), result)
         files.text("curve.csv", csv_text(result.history, result.has_drive))
         files.text("resultants.csv", resultants_csv(result.resultants))
@@ -41,7 +41,7 @@ def save_fields(result: ResultData, folder: Path) -> None:
     """Write the fields of blocks and joints, both or none. Raises OSError if the folder cannot be written to."""
     from masonry.results import joint_fields  # has compiled loops, which who draws a result goes without
 
-    with WholeFiles(folder) as grids:
+    with ResultFiles(folder) as grids:
         fields.write_blocks(grids.new(FIELDS[0]), result)
         joint_fields.write_joints(grids.new(FIELDS[1]), result)
 

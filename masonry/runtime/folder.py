@@ -10,34 +10,14 @@ from pathlib import Path
 
 from geometry.files.atomic import is_name, is_unfinished
 from masonry.errors import SceneError
-from masonry.runtime.lock import LOCK, sole
-from masonry.runtime.named_file import FORMATS
+from masonry.runtime.folders.own_files import LIST, require_own
+from masonry.runtime.lock import LOCKS, is_lock, sole
 
 RESULTS = Path("results")
 """Where folders go that the user does not name."""
-RESULT_NAMES = (
-    *(
-        "summary.json",
-        "limit.json",
-        "modes.json",
-        "sensitivity.json",
-        "sweep.toml",
-        "runs",
-        "checkpoint/HOW-TO-GO-ON.txt",
-    ),
-)
-"""A folder of results, finished or not, has one of these: in other folders nothing is replaced."""
-PICTURES = (
-    *("curve", "cracks", "mechanism", "thrust", "envelope", "modes", "sweep", "sweep-map", "sensitivity"),
-    "fragility",
-)
-WRITTEN = {
-    *("curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf", "joints.vtkhdf"),
-    *(f"{picture}.{form}" for picture in PICTURES for form in FORMATS),
-    *("checkpoint", "report.html", "envelope.csv"),
-    *("sweep.csv", "sweep.parquet", "sensitivity.csv", "fragility.csv", "fragility.json"),
-}
-"""What commands write into a folder of results besides."""
+CHECKPOINT, HOW_TO = "checkpoint", "HOW-TO-GO-ON.txt"
+"""The folder of checkpoints within, and the file that tells that it is ours, by the words with which it begins."""
+UNFINISHED = b"This run is not finished."
 
 
 def scene_name(scene: str) -> str:
@@ -61,8 +41,8 @@ def claim(
     """The folder for this run: `out`, or the next free `results/<scene>-<n>`, made so that no two runs share it.
 
     ours  `out` holds the beginning of what is to be written there: it is gone on with
-    Raises SceneError if `out` is a file, holds something (without `overwrite`) or no results (with it), or cannot be
-    written to.
+    Raises SceneError if `out` is a file, holds something (without `overwrite`) or, in the place of results, something
+    that is not ours (with it), or cannot be written to.
     """
     with writing(results if out is None else out, more="; give --out a folder that you may write to"):
         folder = _next_free(results, scene_name(scene)) if out is None else _named(out, overwrite, ours)
@@ -117,7 +97,8 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
     try:
         with sole(folder, "runs a scene into it"):
             sweep_up(folder)
-            sweep_up(folder / "checkpoint")
+            if is_checkpoint(folder / CHECKPOINT):
+                sweep_up(folder / CHECKPOINT)
             yield folder if out is None else claim(scene, out, overwrite=overwrite)
     finally:
         if not existed:
@@ -160,22 +141,44 @@ def _named(out: Path, overwrite: bool, ours: bool) -> Path:
     if out.exists() and not out.is_dir():
         raise SceneError(f"--out '{out}' is a file; results need a folder")
     out.mkdir(parents=True, exist_ok=True)
-    there = {entry.name for entry in out.iterdir()} - {LOCK}
-    if "checkpoint" in there and (out / "checkpoint").is_dir() and not any((out / "checkpoint").iterdir()):
-        there.remove("checkpoint")  # begun by a process that was killed
-    if ours or not there:
-        return out
-    if not overwrite and (out / "checkpoint" / "scene.toml").is_file():
-        raise SceneError(
+    there = {entry.name for entry in out.iterdir()} - {name for name in LOCKS if is_lock(out / name)}
+    if not there - {LIST, CHECKPOINT} and not _holds_something(out / CHECKPOINT):
+        return out  # or begun by a process that was killed
+    if not (ours or overwrite):
+        raise SceneError(_not_empty(out))
+    require_own(out)
+    if CHECKPOINT in there and not is_checkpoint(out / CHECKPOINT):
+        raise SceneError(foreign_checkpoint(out / CHECKPOINT))
+    return out
+
+
+def _not_empty(out: Path) -> str:
+    if is_checkpoint(out / CHECKPOINT) and (out / CHECKPOINT / "scene.toml").is_file():
+        return (
             f"--out '{out}' holds a run that is not finished: continue it with `masonry resume {out}`, name a new "
             "folder, or add --overwrite to start again"
         )
-    if not overwrite:
-        raise SceneError(f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results")
-    in_the_way = sorted(there & WRITTEN)
-    if in_the_way and not any((out / name).exists() for name in RESULT_NAMES):
-        raise SceneError(
-            f"--out '{out}' holds no results of masonry, but '{in_the_way[0]}', which --overwrite does not replace: "
-            "move it, or name a new folder"
-        )
-    return out
+    return f"--out '{out}' is not empty; name a new folder, or add --overwrite to replace its results"
+
+
+def _holds_something(folder: Path) -> bool:
+    return folder.is_symlink() or (folder.is_dir() and any(folder.iterdir())) or folder.is_file()
+
+
+def is_checkpoint(folder: Path) -> bool:
+    """Whether a folder is one of checkpoints that was made here: no link, and empty or with our word in it."""
+    if folder.is_symlink() or not folder.is_dir():
+        return False
+    if all(is_unfinished(entry.name) for entry in folder.iterdir()):
+        return True
+    word = folder / HOW_TO
+    try:
+        return not word.is_symlink() and word.is_file() and word.read_bytes().startswith(UNFINISHED)
+    except OSError:
+        return False
+
+
+def foreign_checkpoint(folder: Path) -> str:
+    """What is said of something in the place of checkpoints that is not ours."""
+    what = "is a link" if folder.is_symlink() else "holds things and is no checkpoint of a run"
+    return f"'{folder}' {what}: move it, or name another folder for the results"

@@ -11,7 +11,10 @@ from filelock import FileLock, Timeout
 
 from masonry.errors import SceneError
 
-LOCK = ".lock"
+LOCK = ".masonry-lock"
+LOCKS = (LOCK, ".lock")
+"""Its name, and the one that earlier versions gave it."""
+BEGINS = b"process "
 LONGEST = 300
 """Letters of a lock that a message repeats."""
 
@@ -27,6 +30,8 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
     lock = FileLock(path, timeout=0, thread_local=False)
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        if os.path.lexists(path) and not is_lock(path):
+            raise SceneError(f"'{path}' is no lock of masonry: move it, or name another folder")
         lock.acquire()
     except Timeout:
         raise SceneError(f"'{folder}' is in use: {_holder(path)}; wait for its end, or name another folder") from None
@@ -43,6 +48,17 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
         with contextlib.suppress(OSError):
             path.unlink(missing_ok=True)
         lock.release()
+
+
+def is_lock(path: Path) -> bool:
+    """Whether a file is a lock of ours: no link, and empty or with the words of a lock."""
+    try:
+        content = b"" if path.is_symlink() else path.read_bytes()[:LONGEST] or BEGINS
+        return content.startswith(BEGINS)
+    except FileNotFoundError:  # it was given back meanwhile
+        return True
+    except OSError:
+        return False
 
 
 def _holder(path: Path) -> str:

@@ -42,7 +42,7 @@ def remove_pictures(folder: Path, *stems: str) -> None:
 
 def is_marked(path: Path) -> bool:
     """Whether a file is a picture or a movie that we drew."""
-    if not path.is_file():
+    if path.is_symlink() or not path.is_file():
         return False
     try:
         with path.open("rb") as file:

@@ -2,26 +2,30 @@
 
 import json
 import os
-import shutil
 from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import WholeFiles, unfinished
 from masonry.errors import SceneError
 from masonry.judgement.judgement import judgement_of
+from masonry.results.store import NUMBERS
 from masonry.results.summary import read_summary
 from masonry.runtime.folder import sweep_up, writing
+from masonry.runtime.folders.own_files import RUNS
 from masonry.runtime.text_files import json_of
 from masonry.sweeps.work import OK, STATUSES, RunEnd
 
 Row = dict[str, Any]
+FAILURE = "failure.json"
 
 
 class Store:
     """`folder/runs/KEY/`, a folder for each run that ended."""
 
     def __init__(self, folder: Path) -> None:
-        self.runs = folder / "runs"
+        self.runs = folder / RUNS
+        if self.runs.is_symlink():
+            raise SceneError(f"'{self.runs}' is a link, and no folder of runs: move it, or name another folder")
         with writing(folder):
             self.runs.mkdir(parents=True, exist_ok=True)
             self.sweep_up()
@@ -34,7 +38,7 @@ class Store:
         """The row of a run that ended; None if there is none."""
         folder = self.runs / key
         try:
-            failure = _failure(folder / "failure.json")
+            failure = _failure(folder / FAILURE)
             numbers = read_summary(folder / "summary.json") if (folder / "summary.json").is_file() else None
         except (OSError, SceneError):
             return None
@@ -61,13 +65,28 @@ class Store:
                     files.new(name).write_bytes(content)
                 if ended.status != OK:
                     failure = {"status": ended.status, "reason": ended.reason, "seconds": ended.seconds}
-                    files.text("failure.json", json.dumps(failure, indent=2) + "\n")
-            if place.exists():  # a run that ended in an error, and was tried again
-                shutil.rmtree(place)
-            os.rename(whole, place)
+                    files.text(FAILURE, json.dumps(failure, indent=2) + "\n")
+            _take_place(whole, place)
         row = self.row(key)
         assert row is not None
         return row
+
+
+def _take_place(whole: Path, place: Path) -> None:
+    """Have a run take the place of one that ended in an error, and was tried again; what else lies there stays."""
+    if place.is_symlink():
+        raise SceneError(f"'{place}' is a link, and no run: move it, or name another folder")
+    if place.is_dir():
+        for name in (FAILURE, *NUMBERS):  # what it is known by goes first, and comes last
+            (place / name).unlink(missing_ok=True)
+        for name in (path.name for path in whole.iterdir() if path.name not in (FAILURE, NUMBERS[0])):
+            os.replace(whole / name, place / name)
+        for name in (FAILURE, NUMBERS[0]):
+            if (whole / name).exists():
+                os.replace(whole / name, place / name)
+        whole.rmdir()
+    else:
+        os.rename(whole, place)
 
 
 def _judged(summary: dict[str, Any]) -> Row:

@@ -5,6 +5,7 @@ from typing import Any
 
 from masonry.errors import SceneError
 from masonry.runtime.folder import claim_for_many, scene_name
+from masonry.runtime.folders.own_files import LIST, RUNS, is_folder_of_runs
 from masonry.runtime.lock import LOCK
 from masonry.runtime.text_files import text_of
 from masonry.sweeps.read import FRAGILITY, LARGEST, SCENE, Sweep, read_toml
@@ -25,8 +26,8 @@ def folder_for(name: str, sweep: Sweep, out: Path | None, overwrite: bool) -> Pa
 
     def difference(folder: Path) -> str | None:
         if not (folder / COPY).is_file():
-            only_runs = folder.is_dir() and {entry.name for entry in folder.iterdir()} <= {LOCK, "runs"}
-            return "" if only_runs else None
+            there = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
+            return "" if there <= {LOCK, LIST, RUNS} and is_folder_of_runs(folder / RUNS) else None
         if overwrite:
             return ""
         differs = differences(read_toml(folder / COPY), sweep.raw)

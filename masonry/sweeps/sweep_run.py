@@ -178,6 +178,7 @@ def _run(
     text: str | None,
 ) -> SweepResult:
     from masonry.runtime.folder import writing
+    from masonry.runtime.folders.own_files import remove_own
     from masonry.runtime.lock import sole
     from masonry.sweeps.engine import run_alone
     from masonry.sweeps.pictures.sweep_curves import draw
@@ -186,8 +187,8 @@ def _run(
 
     title, form = Path(name).stem, running.form
     with sole(folder, DOING), writing(folder):
-        for stale in (PARQUET, TABLE) if running.overwrite and (folder / "runs").is_dir() else ():
-            (folder / stale).unlink(missing_ok=True)
+        if running.overwrite:
+            remove_own(folder, PARQUET, TABLE)
         _write_request(folder, sweep, text)
         rows = run_alone([run.job for run in planned], folder, running.workers, tell, running.executor)
         columns = table_of(planned, rows)
@@ -201,9 +202,9 @@ def _write_request(folder: Path, sweep: Sweep, text: str | None) -> None:
     """sweep.toml, which `masonry sweep` runs again, and scene.toml of a scene that no file names."""
     import tomli_w
 
-    from geometry.files.atomic import WholeFiles
+    from masonry.runtime.folders.own_files import ResultFiles
 
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         files.text(COPY, tomli_w.dumps(sweep.raw) if text is None else text)
         if scene := scene_text(sweep):
             files.text(SCENE, scene)

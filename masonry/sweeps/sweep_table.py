@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.judgement.catalogue import criteria
 from masonry.judgement.doubt import STOPPED, VERDICTS
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.sweeps.planned_runs import Planned
 from masonry.sweeps.points import si
 from masonry.sweeps.run_store import Row
@@ -83,7 +83,7 @@ def verdicts_text(rows: Sequence[Row]) -> str:
 def write_table(folder: Path, columns: dict[str, list[Any]]) -> tuple[str, ...]:
     """Write sweep.csv, and sweep.parquet where pyarrow is installed, all or none; their names. Raises OSError."""
     columns = {name: _of_one_type(values) for name, values in columns.items()}
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         files.text(TABLE, csv_text(columns))
         try:
             import pyarrow

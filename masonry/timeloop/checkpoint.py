@@ -16,19 +16,19 @@ from typing import Any
 
 from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
 from masonry.errors import SceneError
-from masonry.runtime.folder import sweep_up
+from masonry.runtime.folder import CHECKPOINT, HOW_TO, UNFINISHED, foreign_checkpoint, is_checkpoint, sweep_up
 from masonry.runtime.state_file import Damaged, State, read, write
 
 GENERATIONS = 2
-SCENE, HOW, HOW_TO = "scene.toml", "run.json", "HOW-TO-GO-ON.txt"
-"""Files beside the checkpoints: the first makes it a run to go on with, the last tells that the folder is ours."""
+SCENE, HOW = "scene.toml", "run.json"
+"""Files beside the checkpoints: the first makes it a run to go on with."""
 
 
 class Checkpoints:
     """The checkpoints in a folder of results; whoever uses them holds the folder's lock."""
 
     def __init__(self, results: Path) -> None:
-        self.results, self.folder = results, results / "checkpoint"
+        self.results, self.folder = results, results / CHECKPOINT
         self.scene = self.folder / SCENE
         self.last = 0
 
@@ -36,8 +36,8 @@ class Checkpoints:
         """Make the folder for a new run, in place of what another one left. Raises OSError."""
         self.clear()
         with WholeFiles(self.folder) as files:
-            how_to = f"This run is not finished. To continue it:\n\n    masonry resume {self.results}\n"
-            files.new(HOW_TO).write_bytes(os.fsencode(how_to))  # a name of a folder may be no text
+            how_to = f" To continue it:\n\n    masonry resume {self.results}\n"
+            files.new(HOW_TO).write_bytes(UNFINISHED + os.fsencode(how_to))  # a name of a folder may be no text
             files.text(HOW, json.dumps(how) + "\n")
             files.text(SCENE, scene_toml)
 
@@ -86,20 +86,17 @@ class Checkpoints:
     def sweep_up(self) -> None:
         """Remove what a killed process left half-written."""
         sweep_up(self.results)
-        if self.folder.is_dir():
+        if is_checkpoint(self.folder):
             sweep_up(self.folder)
 
     def clear(self) -> None:
         """The run is done, or is none: nothing is left to go on from, and what others put there stays. Raises OSError;
         SceneError where a folder of this name is not ours."""
-        if not self.folder.is_dir():
+        if not os.path.lexists(self.folder):
             return
+        if not is_checkpoint(self.folder):
+            raise SceneError(foreign_checkpoint(self.folder))
         there = {path.name for path in self.folder.iterdir()}
-        if there and HOW_TO not in there:
-            raise SceneError(
-                f"'{self.folder}' holds things and is no checkpoint of a run: move it, or name another folder for the "
-                "results"
-            )
         ours = {name for name in there if name in (SCENE, HOW, HOW_TO) or _number(name) or is_unfinished(name)}
         if ours == there:
             gone = self.results / unfinished("checkpoint")

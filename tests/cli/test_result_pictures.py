@@ -19,6 +19,7 @@ from masonry.pictures.crack_picture import drawing_of, frames_to_draw, magnifica
 from masonry.pictures.frame_picture import draw_frame
 from masonry.results.frame_choice import choose
 from masonry.results.store import NUMBERS
+from masonry.runtime.folders.own_files import LIST
 from tests.results.sample import HEIGHT, LENGTH, sample, with_tets
 from tests.results.test_pictures import blue, red
 
@@ -30,7 +31,7 @@ def folder(tmp_path):
 
 
 def new_files(folder):
-    return {path.name for path in folder.iterdir()} - set(NUMBERS)
+    return {path.name for path in folder.iterdir()} - {*NUMBERS, LIST}
 
 
 @pytest.mark.parametrize(
@@ -226,7 +227,7 @@ def test_an_mp4_is_written_where_there_is_an_ffmpeg_and_refused_in_one_message_e
     path = write_movie(sample(), tmp_path / "wall.mp4", fps=2)
     assert path.read_bytes()[4:8] == b"ftyp"
     assert frames.count_frames_and_secs(str(path))[0] == 3 + 3
-    monkeypatch.setattr(movie_file.shutil, "which", lambda name: None)
+    monkeypatch.setattr(movie_file.shutil, "which", lambda name, path: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     with pytest.raises(SceneError, match=r"pip install '\.\[movie\]'"):
         write_movie(sample(), tmp_path / "other.mp4")

@@ -37,7 +37,7 @@ def test_a_run_that_dies_again_and_again_still_comes_to_the_same_bits(alone, tmp
     half_done(tmp_path / "out", monkeypatch)
     for _ in range(2):
         process = Process(["resume", "out", "--checkpoint-every", "1e-6 s"], tmp_path)
-        process.wait_for(lambda: bool(list((tmp_path / "out").glob(".lock"))))
+        process.wait_for(lambda: bool(list((tmp_path / "out").glob(".masonry-lock"))))
         process.sleep(0.3)
         process.send(signal.SIGKILL)
         process.end()
@@ -65,7 +65,7 @@ def test_a_run_killed_before_its_first_checkpoint_begins_anew_by_resume(alone, t
 
 def test_what_a_run_killed_at_its_very_beginning_leaves_is_no_content_of_the_folder(tmp_path):
     (tmp_path / "out" / "checkpoint").mkdir(parents=True)
-    (tmp_path / "out" / ".lock").touch()
+    (tmp_path / "out" / ".masonry-lock").touch()
     (tmp_path / "out" / "checkpoint" / ".masonry-12-unfinished-scene.toml").touch()
     assert run(tmp_path / "out") == 0
 
@@ -73,7 +73,7 @@ def test_what_a_run_killed_at_its_very_beginning_leaves_is_no_content_of_the_fol
 def test_a_run_that_is_done_leaves_results_only_and_says_so_when_resumed(tmp_path, capsys):
     assert run(tmp_path / "out") == 0
     names = {path.name for path in (tmp_path / "out").iterdir()}
-    assert "summary.json" in names and not {"checkpoint", ".lock"} & names
+    assert "summary.json" in names and not {"checkpoint", ".masonry-lock"} & names
     assert main(["resume", str(tmp_path / "out")]) == 0
     assert capsys.readouterr().out == f"the run in '{tmp_path / 'out'}' is finished\n"
 

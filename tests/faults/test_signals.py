@@ -25,7 +25,7 @@ def test_a_signal_ends_the_run_with_results_a_checkpoint_and_the_way_to_go_on(nu
     assert process.end() == code
     assert "resume with: masonry resume out" in process.said and "Traceback" not in process.said
     assert (tmp_path / "out" / "curve.csv").is_file() and states(tmp_path / "out")
-    assert not (tmp_path / "out" / ".lock").exists()
+    assert not (tmp_path / "out" / ".masonry-lock").exists()
 
 
 @pytest.mark.parametrize("chunks", [1, 5, 13])

@@ -1,11 +1,16 @@
 """No command runs what lies in the current folder, such as a `pickle.py` beside a scene, in whatever process."""
 
+import contextlib
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from masonry.errors import SceneError
+from masonry.movies.movie_file import _ffmpeg
 
 ROOT = Path(__file__).resolve().parents[2]
 LOADED = (
@@ -85,3 +90,13 @@ def test_python_m_masonry_runs_nothing_of_the_current_folder_but_a_program_of_th
         (hostile / name).rmdir()
     done = call(hostile, "-m", "masonry", "import", "box.obj", "--unit", "m", "--out", "box.toml")
     assert (done.returncode, ran(hostile)) == (0, ""), done.stderr
+
+
+def test_an_ffmpeg_of_the_current_folder_is_not_called_though_path_names_that(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (program := tmp_path / "ffmpeg").write_text("#!/bin/sh")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", os.pathsep.join([".", "", "bin"]))
+    assert shutil.which("ffmpeg") is not None
+    with contextlib.suppress(SceneError):  # there is none on this machine
+        assert os.path.isabs(_ffmpeg()) and Path(_ffmpeg()) != program

@@ -9,7 +9,8 @@ from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
 from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.movies.movie_file import write_movie
-from masonry.runtime.folder import RESULT_NAMES, WRITTEN, claimed, sweep_up
+from masonry.runtime.folder import claimed, sweep_up
+from masonry.runtime.folders.own_files import LIST, WRITTEN
 from masonry.runtime.named_file import is_marked, require_free
 from masonry.sweeps.run_store import Store
 from masonry.timeloop.checkpoint import Checkpoints
@@ -63,7 +64,7 @@ def test_a_folder_without_results_is_refused_and_stays_as_it_is(words, tmp_path,
     assert run(out, *words) == 2
     assert main(["limit", "arch-tilted", "--out", str(out), *words]) == 2
     assert are_whole(there) and len(list(out.rglob("*"))) == len(there) + 3
-    assert ("holds no results" if words else "is not empty") in capsys.readouterr().err
+    assert ("was not written by masonry" if words else "is not empty") in capsys.readouterr().err
 
 
 def test_an_empty_folder_of_the_user_that_is_called_checkpoint_stays_where_the_run_is_refused(tmp_path):
@@ -90,7 +91,7 @@ def test_a_run_that_replaces_another_leaves_what_else_is_in_the_folder(tmp_path)
     assert run(tmp_path / "out") == 0
     assert main(["limit", "arch-tilted", "--out", str(tmp_path / "limit")]) == 0
     made = {path.name for folder in ("out", "limit") for path in (tmp_path / folder).iterdir()}
-    assert made <= WRITTEN | set(RESULT_NAMES)
+    assert made <= {*WRITTEN, LIST}
     there = put(tmp_path / "out", *FOREIGN, "thesis.txt", "pictures/a.png")
     assert run(tmp_path / "out", "--overwrite") == 0
     assert are_whole(there)
@@ -110,6 +111,15 @@ def test_a_page_that_is_not_ours_is_never_replaced(words, name, tmp_path, capsys
     assert main([*words, "--out", str(tmp_path)]) == 2
     assert are_whole(there) and list(tmp_path.iterdir()) == list(there)
     assert "is no page of masonry" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["verify.html", "records.json"])
+def test_a_link_in_the_place_of_a_page_or_of_records_stays(name, tmp_path, capsys):
+    (tmp_path / "ours.html").write_text(bound("A title", "", []), encoding="utf-8")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / name).symlink_to(tmp_path / "ours.html")
+    assert main(["verify", "incline", "--out", str(tmp_path / "out")]) == 2
+    assert "would be replaced: move it" in capsys.readouterr().err and (tmp_path / "out" / name).is_symlink()
 
 
 def test_a_page_of_ours_is_replaced(tmp_path):

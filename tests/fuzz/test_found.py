@@ -246,7 +246,7 @@ def test_a_table_set_after_its_keys_takes_their_place(capsys, pairs):
 def test_a_lock_that_leads_elsewhere_is_not_written_through(tmp_path, capsys):
     (tmp_path / "mine").write_text("mine")
     (tmp_path / "out").mkdir()
-    (tmp_path / "out" / ".lock").symlink_to(tmp_path / "mine")
+    (tmp_path / "out" / ".masonry-lock").symlink_to(tmp_path / "mine")
     (tmp_path / "s.toml").write_text(SWEEP)
     said(capsys, "sweep", str(tmp_path / "s.toml"), "--out", str(tmp_path / "out"))
     assert (tmp_path / "mine").read_text() == "mine"

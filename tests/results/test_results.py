@@ -12,6 +12,7 @@ from masonry.laboratory.result import load_result
 from masonry.pictures import crack_picture as picture
 from masonry.rows.columns import UNITS
 from masonry.runtime.folder import claim
+from masonry.runtime.folders.own_files import LIST
 from tests.results.sample import sample, with_tets
 
 FILES = {
@@ -44,7 +45,7 @@ def test_a_result_comes_back_from_its_folder_bit_by_bit(tmp_path, make):
     paths = saved.save(tmp_path / "deep" / "out")
     loaded = load_result(tmp_path / "deep" / "out")
     assert set(paths) == FILES and all(path.is_file() for path in paths.values())
-    assert {path.name for path in (tmp_path / "deep" / "out").iterdir()} == FILES
+    assert {path.name for path in (tmp_path / "deep" / "out").iterdir()} == {*FILES, LIST}
     assert loaded.summary == saved.summary and loaded.log == saved.log and loaded.scene_toml == saved.scene_toml
     assert loaded.joint_groups == saved.joint_groups and loaded.title == saved.title
     for name in UNITS:

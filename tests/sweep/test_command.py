@@ -12,6 +12,7 @@ import pytest
 from pyarrow import parquet
 
 from masonry.cli.main import main
+from masonry.runtime.folders.own_files import LIST
 from masonry.sweeps import engine
 from masonry.sweeps.sweep_table import write_table
 from tests.docs.pages import blocks
@@ -72,7 +73,7 @@ def test_a_sweep_leaves_a_row_a_run_with_values_as_given_and_in_si(sweep, capsys
 def test_without_pyarrow_the_table_is_a_csv_file_alone(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert write_table(tmp_path, {"index": [0, 1], "seconds": [1.5, None]}) == ("sweep.csv",)
-    assert [file.name for file in tmp_path.iterdir()] == ["sweep.csv"]
+    assert {file.name for file in tmp_path.iterdir()} == {"sweep.csv", LIST}
     assert (tmp_path / "sweep.csv").read_text(encoding="utf-8") == "index,seconds\n0,1.5\n1,\n"
 
 

@@ -60,7 +60,7 @@ def require_ours(page: Path) -> None:
     """Raise SceneError where a file is to be replaced that is no page of ours, by its title."""
     ours = _template().partition("$title")[2].partition("\n")[0].encode()
     try:
-        if page.exists() and ours not in page.read_bytes()[:TITLED]:
+        if page.is_symlink() or (page.exists() and ours not in page.read_bytes()[:TITLED]):
             raise SceneError(f"'{page}' is no page of masonry, and would be replaced: move it, or name another folder")
     except OSError as error:
         raise SceneError(f"'{page}' cannot be replaced: {error.strerror or error}; name another folder") from None

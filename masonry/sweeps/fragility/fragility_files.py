@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from geometry.files.atomic import WholeFiles
 from masonry.pictures.style import plain, write_picture
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.runtime.named_file import remove_pictures
 from masonry.sweeps.fragility.fragility import QUANTILES, Fragility
 from masonry.sweeps.fragility.request import FragilityRequest
@@ -21,7 +21,7 @@ BLUE, RED, GREY = "#1f3b5c", "#b2182b", "0.6"
 def write_fragility(folder: Path, title: str, fragility: Fragility, form: str) -> tuple[str, ...]:
     """Write all three, all or none; their names. Raises OSError."""
     remove_pictures(folder, PICTURE)
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         files.text(TABLE, csv_text(columns_of(fragility)))
         files.text(NUMBERS, json.dumps(numbers_of(fragility), indent=2, allow_nan=False) + "\n")
         write_picture(fragility_figure(title, fragility), files.new(f"{PICTURE}.{form}"))

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from geometry.files.atomic import WholeFiles
 from masonry.errors import SceneError
 from masonry.pictures.labels import WIDEST, wrapped
 from masonry.pictures.style import MEGA, MILLI, plain, write_picture
 from masonry.results.validate import MOST
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.runtime.named_file import remove_pictures
 from masonry.runtime.text_files import text_of
 from masonry.sweeps.pictures.varied_keys import keys_that_vary
@@ -35,7 +35,7 @@ def draw(folder: Path, title: str, planned: Sequence[Planned], rows: Sequence[Ro
     """Write sweep.png, or .pdf or .svg; its name. Raises OSError."""
     figure = curves_figure(folder, title, planned, rows)
     remove_pictures(folder, PICTURE)
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         write_picture(figure, files.new(f"{PICTURE}.{form}"))
     return f"{PICTURE}.{form}"
 

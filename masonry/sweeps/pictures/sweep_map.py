@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from geometry.files.atomic import WholeFiles
 from masonry.judgement.words import scale_of
 from masonry.pictures.style import plain, write_picture
+from masonry.runtime.folders.own_files import ResultFiles
 from masonry.runtime.named_file import remove_pictures
 from masonry.sweeps.pictures.varied_keys import VariedKey, keys_that_vary
 from masonry.sweeps.planned_runs import Planned
@@ -34,7 +34,7 @@ def draw_map(folder: Path, title: str, planned: Sequence[Planned], rows: Sequenc
     figure = map_figure(title, planned, rows)
     if figure is None:
         return ()
-    with WholeFiles(folder) as files:
+    with ResultFiles(folder) as files:
         write_picture(figure, files.new(f"{PICTURE}.{form}"))
     return (f"{PICTURE}.{form}",)
 

@@ -149,9 +149,10 @@ def sweep_folders(draw: Draw) -> Attempt:
     elif way == 4:
         files["out/sweep.toml"] = changed_text(draw, FINISHED.encode())
     else:
-        names = (f"{run}/summary.json", f"{run}/curve.csv", f"{run}/failure.json", "out/sweep.toml", "out/.lock")
+        summary, curve, failure = (f"{run}/{name}" for name in ("summary.json", "curve.csv", "failure.json"))
+        names = (summary, curve, failure, "out/sweep.toml", "out/.masonry-lock")
         files[pick(draw, names)] = Path(pick(draw, TARGETS))
-    return Attempt(["sweep", "s.toml", "--out", "out"], files, ("out",), ("out/.lock", "out/sweep.toml"))
+    return Attempt(["sweep", "s.toml", "--out", "out"], files, ("out",), ("out/.masonry-lock", "out/sweep.toml"))
 
 
 @cache
