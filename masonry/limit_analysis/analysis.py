@@ -1,6 +1,7 @@
 """The limit analysis of a scene: it stands first, then the largest factor, in the way that was asked for."""
 
 from dataclasses import dataclass, replace
+from math import inf
 from time import perf_counter
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
 from masonry.limit_analysis.bar_limits import with_bars
-from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, touching
+from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, mean_stiffness, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.limit_analysis.limit_result import LimitResult
@@ -30,7 +31,7 @@ from masonry.statics.plane import plane_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.safety import factor_of_safety
 from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
-from masonry.statics.tilted import tilt_factor
+from masonry.statics.tilted import tilt_factor, tilt_without_dilation
 
 LEAST_SIDES = 3
 LESS = 0.005
@@ -90,7 +91,7 @@ def analyse(
     envelope = None if wishes.safety else _envelope(scene, specimen, joints, contacts, method)
     scene = scene if envelope is None else envelope.standing(scene)
     loads = loads_of(scene, specimen, joints, alone)
-    contacts = with_bars(contacts, loads.bars, loads.bodies)
+    contacts = with_bars(contacts, loads.bars, loads.bodies, mean_stiffness(scene, specimen, joints))
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, envelope=envelope)
     result.bars = loads.bars
     if envelope is not None and not wishes.dilation:
@@ -124,7 +125,8 @@ def _envelope(
     if scene.vehicle is None or scene.vehicle.position is not None:
         return None
     loads = loads_of(scene, specimen, joints, dead_alone=True)
-    bodies, contacts = loads.bodies, with_bars(contacts, loads.bars, loads.bodies)
+    bodies = loads.bodies
+    contacts = with_bars(contacts, loads.bars, bodies, mean_stiffness(scene, specimen, joints))
     _require_standing(specimen, bodies, contacts, method)
     return envelope_of(scene, specimen, joints, bodies, contacts, method)
 
@@ -157,14 +159,10 @@ def _set_factor(
 
 def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
     """The factor where what slides does not rise, with what the result says of how it was found."""
-    if loads.steady is not None and (loads.steady.any() or contacts.has_strength):
-        dry = loads.steady.any() or contacts.is_bar.any()
-        cure = "let the weight grow sideways (limit.pattern = 'weight')" if dry else "add --no-strength"
-        raise SceneError(
-            "a tilt without dilation is for dry joints under weight alone, without bars; leave out --no-dilation, "
-            f"or {cure}"
-        )
-    flat = without_dilation(loads.bodies, contacts, method, _range(loads))
+    if loads.steady is None:
+        flat = without_dilation(loads.bodies, contacts, method, _range(loads))
+    else:
+        flat = tilt_without_dilation(loads.bodies, contacts, loads.steady, method, _range(loads))
     solution = flat.solution
     result.with_dilation, result.steps = flat.with_dilation, flat.steps
     result.excess, result.open = flat.excess, flat.open
@@ -199,7 +197,7 @@ def _set_safety(
         raise SceneError("nothing loads this, so there is no factor of safety; add [gravity], a traction, or --at")
     factor, _, mechanism = factor_of_safety(loaded, contacts, method, wishes.dilation)
     if not wishes.dilation:
-        result.with_dilation = factor_of_safety(loaded, contacts, method)[0]
+        result.with_dilation = _safety_with_dilation(loaded, contacts, method)
     still = replace(loaded, live=np.zeros_like(loaded.live))
     if wishes.dilation:
         say_of_sliding(result, still, contacts, mechanism)
@@ -209,6 +207,15 @@ def _set_safety(
     result.words = f"friction and cohesion over it balance {result.words}" + (
         f" at a factor of {wishes.at:g}" if wishes.at else ""
     )
+
+
+def _safety_with_dilation(loaded: RigidBodies, contacts: RigidContacts, method: Method) -> float:
+    """The factor of safety of joints that dilate, beside that of joints that do not; inf where the least of friction is
+    enough for them."""
+    try:
+        return factor_of_safety(loaded, contacts, method)[0]
+    except SceneError:
+        return inf
 
 
 def _require_standing(specimen: Specimen, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:

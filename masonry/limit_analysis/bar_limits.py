@@ -14,10 +14,13 @@ YIELDS = 1.0 - 1e-6
 """Share of what a bar bears from which it counts as yielding."""
 
 
-def with_bars(contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodies) -> RigidContacts:
+def with_bars(
+    contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodies, stiffness: float
+) -> RigidContacts:
     """The contacts, and behind them bars: a force along a line does the same wherever on it it acts.
 
     An end that stays in space is taken as one of a block that is held. Raises SceneError where there is none.
+    stiffness: Pa/m of the joints; a bar has the area of a joint that is as stiff as it is.
     """
     if bars is None:
         return contacts
@@ -29,9 +32,9 @@ def with_bars(contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodi
         block[block < 0] = still[0]
     one, none = np.ones(count), np.zeros(count)
     patch = int(contacts.patch.max(initial=-1)) + 1 + np.arange(count)
-    area = float(contacts.area.mean()) if contacts.count else 1.0
+    area = bars.stiffness / stiffness
     behind = RigidContacts(
-        *(block[:, 0], block[:, 1], bars.point[:, 0], -bars.axis, patch, area * one, none, none, -bars.least),
+        *(block[:, 0], block[:, 1], bars.point[:, 0], -bars.axis, patch, area, none, none, -bars.least),
         solid=none > 0.0,
     )
     names = ("block_a", "block_b", "point", "normal", "patch", "area", "friction", "cohesion", "tension", "solid")
@@ -39,7 +42,8 @@ def with_bars(contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodi
     crush = None if contacts.crush is None else _wider(contacts.crush, count)
     bar = np.concatenate([np.zeros(contacts.count, dtype=bool), one > 0.0])
     most = np.concatenate([np.full(contacts.count, np.inf), bars.most])
-    return replace(contacts, **both, crush=crush, bar=bar, most=most)
+    pretension = np.concatenate([np.zeros(contacts.count), bars.pretension])
+    return replace(contacts, **both, crush=crush, bar=bar, most=most, pretension=pretension)
 
 
 def yielding(bars: BarPlaces, force: np.ndarray) -> np.ndarray:

@@ -71,6 +71,13 @@ def crushing_strengths(scene: Scene, specimen: Specimen, joints: Joints) -> dict
     return {name: float(table.compressive_strength or 0.0) for name, table in tables.items() if table.crushing}
 
 
+def mean_stiffness(scene: Scene, specimen: Specimen, joints: Joints) -> float:
+    """Pa/m, the normal stiffness of the joints, as a mean over their area."""
+    names, group = contact_groups(specimen.blocks, joints)
+    each = [made(name, scene.contact_of(name).properties(scene.turns_back))[1].normal_stiffness for name in names]
+    return float(np.average(np.array(each, dtype=float)[group], weights=joints.area)) if len(joints.area) else 1.0
+
+
 def rises(scene: Scene, specimen: Specimen, joints: Joints) -> bool:
     """Whether all that slides in the scene rises by its friction angle, as it does in a limit analysis.
 

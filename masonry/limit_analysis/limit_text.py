@@ -11,6 +11,8 @@ from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.model.bars.bar_ends import BarPlaces
 from masonry.runtime.tables import Rows, aligned
 
+EVERY = "none: joints that dilate balance every factor"
+
 
 def result_text(result: LimitData) -> str:
     """The rows that `masonry limit` prints."""
@@ -35,7 +37,7 @@ def result_text(result: LimitData) -> str:
         )
     if result.with_dilation is not None:
         some = f"{result.with_dilation:.6g}: so much joints balance that dilate as they slide"
-        every = "none: joints that dilate balance every factor"
+        every = "none: joints that dilate balance it with the least friction" if result.is_safety else EVERY
         rows.append(("with dilation", [every if result.with_dilation == inf else some]))
     if result.steps is not None and result.open is not None:
         rows.append(("reached in", [f"{result.steps} steps; the normal forces at the end bear {result.open:.1e} more"]))

@@ -32,6 +32,9 @@ SOFTER = 2.5
 FIRST, FASTER, SLOWEST, MOST = 0.125, 0.8, 1e12, 80
 """Share of the way to the factor with dilation by which a step may raise the factor; pace of a step over that of the
 step before; the greatest pace; steps at most."""
+NEAREST = 1e-2
+"""The least pace where all loads are there from the beginning: below, the tolerance of the solver presses joints that
+nothing presses."""
 CLEARLY = 1.5
 """Times that rise, the first problem of a step tells that it would be too large: the others are not solved."""
 RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
@@ -39,8 +42,8 @@ RISE, OPEN, DROP = 1e-4, 1e-3, 5e-3
 the theorems, over the factor, at the end; and the drop after which a factor was a peak, over that with dilation."""
 SAME, TRIES, TRIES_AT_REST = 5e-4, 6, 30
 """Change of normal forces, over the unit of each, at which the row of problems of a step ends; its length."""
-GREAT = 100.0
-"""Times its friction, a joint does not slide."""
+GREAT = 10.0
+"""Times all loads, the cohesion with which a joint does not slide."""
 BEYOND = 5e-3
 """Shear beyond friction, over the unit of each contact, that an answer may have."""
 
@@ -112,9 +115,11 @@ def standing_without_dilation(bodies: RigidBodies, contacts: RigidContacts, meth
     path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, bound.sizes or alike(own, contacts))
     now, pace = path.without_sliding(), 1.0
     for steps in range(1, MOST):
-        now, pace = path.step(now, pace), pace * FASTER
+        before, now, pace = now, path.step(now, pace), max(pace * FASTER, NEAREST)
         end = path.end(now, 1.0, steps)
         if end.converged and end.solution.factor >= STANDS:
+            break
+        if pace == NEAREST and path.factor(now) - path.factor(before) <= RISE:
             break
     return end
 
@@ -129,7 +134,11 @@ def forces_without_sliding(bodies: RigidBodies, contacts: RigidContacts, method:
 
 
 class _LoadPath:
-    """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units."""
+    """The forces of one problem, as vectors of normal forces, shear forces and the factor, without units.
+
+    unloaded: those before anything loads the joints, which bars have by their pretension. The change from there to the
+    dead loads is shared out by stiffness, so that a bar loses what its ends give way.
+    """
 
     def __init__(
         self, bodies: RigidBodies, contacts: RigidContacts, method: Method, between: Range, softer: float, sizes: Sizes
@@ -142,12 +151,16 @@ class _LoadPath:
         self.forces = forces = equilibrium(bodies, self.flat, sizes, axis)
         self.unit = 1.0 / forces.factor
         groups, k = forces.tangent.shape[:2]
-        area, mean = self.flat.area, self.flat.area.mean()
+        area = self.flat.area
+        mean = area[~self.flat.is_bar].mean() if not self.flat.is_bar.all() else area.mean()
         along = softer * mean / np.bincount(forces.group, area, groups)
         weight = np.concatenate([mean / area, np.repeat(along, k)]) / (len(area) + groups * k)
         unit = np.concatenate([forces.force, np.repeat(forces.force[forces.leader], k)])
         self.solver = ConeSolver()
         self.weight = np.append(weight * (unit / alike(bodies, contacts).force[0]) ** 2, 0.0)
+        self.unloaded = np.zeros(len(self.weight))
+        if self.flat.pretension is not None:
+            self.unloaded[: len(area)] = self.flat.pretension / forces.force
 
     def factor(self, forces: np.ndarray) -> float:
         return float(forces[-1] / self.unit)
@@ -155,13 +168,15 @@ class _LoadPath:
     def at_rest(self) -> np.ndarray:
         """The forces under the dead loads alone; a drive holds still."""
         between = ANY if self.bodies.together is not None else (max(self.between[0], 0.0),) * 2
-        return self.settled(np.zeros(len(self.weight)), 1.0, 0.0, between, TRIES_AT_REST)
+        return self.settled(self.unloaded, 1.0, 0.0, between, TRIES_AT_REST)
 
     def without_sliding(self) -> np.ndarray:
-        """The forces at a factor of 1 where friction is great."""
-        great = replace(self.flat, friction=GREAT * self.flat.friction)
-        near = NearForces(np.zeros(len(self.weight)), self.weight, 0.0)
-        return self.solve(great, (self.unit, self.unit), near)[1]
+        """The forces at a factor of 1 where no joint slides, whatever presses it: what is jammed is pressed by nothing."""
+        loads = np.abs(self.bodies.dead[:, :3]).sum() + np.abs(self.bodies.live[:, :3]).sum()
+        great = np.full(self.flat.count, GREAT * loads)
+        stuck = replace(self.flat, friction=np.zeros_like(great), cohesion=np.where(self.flat.is_bar, 0.0, great))
+        near = NearForces(self.unloaded, self.weight, 0.0)
+        return self.solve(stuck, (self.unit, self.unit), near)[1]
 
     def step(self, before: np.ndarray, pace: float, most: float = inf) -> np.ndarray:
         """The forces when the load has moved on; pace: the less, the further. Where the factor would clearly rise by
@@ -175,7 +190,8 @@ class _LoadPath:
         by more than `most` there."""
         near = NearForces(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
-        guess = before if before.any() else self.solve(self.flat, bounds, near)[1]
+        begins = np.array_equal(before, self.unloaded)
+        guess = self.solve(self.flat, bounds, near)[1] if begins else before
         last: tuple[np.ndarray, np.ndarray] | None = None
         for _ in range(tries):
             status, after = self.solve(self.cylinders(guess), bounds, near)

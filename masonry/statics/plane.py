@@ -56,8 +56,8 @@ def flattened(contacts: RigidContacts, axis: int) -> tuple[RigidContacts, np.nda
     )
     owner = owner.ravel()
     total = {name: np.bincount(owner, getattr(contacts, name)) for name in ("area", "cohesion", "tension")}
-    if contacts.most is not None:
-        total["most"] = np.bincount(owner, contacts.most)
+    if contacts.most is not None and contacts.pretension is not None:
+        total |= {name: np.bincount(owner, getattr(contacts, name)) for name in ("most", "pretension")}
     if (crush := contacts.crush) is not None:
         fraction = contacts.area / total["area"][owner]
         crush = crush.merged(sparse.csr_array((fraction, (np.arange(contacts.count), owner))))

@@ -46,6 +46,7 @@ class RigidContacts:
     crush             what compression the polygons bear; None without a limit
     bar, most         (C,) whether it is no point but a bar, whose normal force above 0 pulls its ends together, along a
                       normal from b to a; and N, the greatest normal force; None where there are no bars
+    pretension        (C,) N, the normal force before anything loads or moves; None where there are no bars
     """
 
     block_a: np.ndarray
@@ -61,6 +62,7 @@ class RigidContacts:
     crush: Crushing | None = None
     bar: np.ndarray | None = None
     most: np.ndarray | None = None
+    pretension: np.ndarray | None = None
 
     @property
     def count(self) -> int:
@@ -72,10 +74,13 @@ class RigidContacts:
         return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=tension)
 
     def with_strength(self, times: float) -> "RigidContacts":
-        """The same with cohesion, tension, compressive strength and what bars bear multiplied by a number."""
+        """The same with cohesion, tension, compressive strength, and what bars bear and are tightened to, multiplied by
+        a number."""
         crush = None if self.crush is None else self.crush.times(times)
-        most = None if self.most is None else self.most * times
-        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush, most=most)
+        of_bars = {
+            name: None if (force := getattr(self, name)) is None else force * times for name in ("most", "pretension")
+        }
+        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush, **of_bars)
 
     @property
     def is_bar(self) -> np.ndarray:

@@ -14,6 +14,8 @@ CLOSE = {True: 1e-6, False: 1e-4}
 """Relative width of the bracket at the end, with dilation and without."""
 LARGEST = 1e4
 """A factor of safety beyond this, or below one over it, is none."""
+ROUGH = 100.0
+"""Times its friction, with which it is asked whether any friction holds what is jammed."""
 
 
 def factor_of_safety(
@@ -22,8 +24,8 @@ def factor_of_safety(
     """The factor by bisection, the forces at it, and the mechanism just beyond it.
 
     Friction (its tangent), cohesion and tensile strength are divided by one number; loads stay. Without dilation it is
-    no bound (see no_dilation.py). Raises SceneError where no friction is enough, where none is needed, and where the
-    least of it is enough, as joints are jammed.
+    no bound (see no_dilation.py). Raises SceneError where no amount of friction makes it stand, where none is needed,
+    and where the least of it is enough, as joints are jammed.
     """
 
     def at(by: float) -> tuple[Solution, bool]:
@@ -36,6 +38,11 @@ def factor_of_safety(
 
     low = high = 1.0
     best, stands = at(1.0)
+    if not stands and not dilation and jammed(bodies, contacts.weakened(1.0 / ROUGH), method) is not None:
+        raise SceneError(
+            "no amount of friction makes it stand without dilation: something there is held only by joints that press "
+            "against each other, and no load here makes them press; a run decides"
+        )
     worst, beyond = best, stands
     while beyond:
         low, best, high = high, worst, 4.0 * high
@@ -46,7 +53,7 @@ def factor_of_safety(
         high, worst, low = low, best, 0.25 * low
         if low < 1.0 / LARGEST:
             raise SceneError(
-                "no friction and no cohesion is enough for it to stand: joints open, or nothing presses them"
+                "no amount of friction and cohesion makes it stand: joints open, or nothing presses them"
             )
         best, stands = at(low)
     while high > (1.0 + CLOSE[dilation]) * low:

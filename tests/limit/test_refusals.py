@@ -102,13 +102,6 @@ def test_words_that_contradict_each_other_are_refused(wishes, expected):
         analyse(masonry.load("arch", SIDEWAYS), wishes)
 
 
-def test_a_tilt_without_dilation_is_for_dry_joints_alone():
-    scene = load(block('[limit]\npattern = "tilt"\nabout = "y"', STRONG))
-    with pytest.raises(SceneError, match="dry joints under weight alone"):
-        masonry.limit(scene, dilation=False)
-    assert masonry.limit(scene, dilation=False, strength=False).factor == pytest.approx(0.5, rel=1e-6)
-
-
 def test_crushing_needs_joints_without_tension():
     scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', STRONG))
     with pytest.raises(SceneError, match="add --no-strength"):

@@ -38,5 +38,5 @@ def test_a_block_on_an_incline_is_as_safe_without_dilation():
 def test_what_needs_no_friction_and_what_no_friction_holds_is_said():
     with pytest.raises(SceneError, match="stands without any friction"):
         factor_of_safety(*dry(stack([(1.0, 0.2)]), [0], 0.5))
-    with pytest.raises(SceneError, match="no friction and no cohesion is enough"):
+    with pytest.raises(SceneError, match="no amount of friction and cohesion makes it stand"):
         factor_of_safety(*dry(stack([(0.2, 2.0)]), [0], 0.5, dead=(0.5, 0.0, -1.0)))

@@ -96,7 +96,7 @@ def test_without_dilation_and_for_its_safety_the_small_block_counts_as_well(rati
     at_a_tenth = replace(bodies, dead=bodies.dead + 0.1 * bodies.live)
     assert factor_of_safety(at_a_tenth, contacts, CONES)[0] == pytest.approx(6.5, rel=1e-5)
     beyond = replace(bodies, dead=bodies.dead + 0.26 * bodies.live)
-    with pytest.raises(SceneError, match="no friction and no cohesion is enough"):
+    with pytest.raises(SceneError, match="no amount of friction and cohesion makes it stand"):
         factor_of_safety(beyond, contacts, CONES)
 
 
