@@ -61,6 +61,12 @@ class LimitSettings:
     sides: int = 0
     plane: bool = True
 
+    @property
+    def beside_crushing(self) -> str:
+        """The words of the command that --crushing does not go with."""
+        words = {"--linear": self.sides > 0, "--points": self.points != "corners"}
+        return " and ".join(word for word, is_there in words.items() if is_there)
+
     def require_sense(self) -> None:
         """Raises SceneError for words that contradict each other."""
         if self.points not in POINTS:
@@ -101,7 +107,8 @@ def analyse(
     if progress is not None and plane_of(loads.bodies, contacts) is None:
         progress.begin(size_words(contacts, method, wishes.dilation))
     say_what_it_is(result, contacts, result.method, wishes.dilation)
-    result.remarks += scene_remarks(scene, specimen, joints, contacts, wishes.strength, wishes.crushing is not None)
+    crushes, other = wishes.crushing is not None, wishes.beside_crushing
+    result.remarks += scene_remarks(scene, specimen, joints, contacts, wishes.strength, crushes, other)
     if wishes.crushing is not None:
         result.remarks.append(f"joints bear a compression of {wishes.crushing * 1e-6:g} MPa, as a plastic strength")
     if wishes.safety:
@@ -146,7 +153,7 @@ def _set_factor(
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(solution)
     if wishes.dilation:
-        say_of_sliding(result, bodies, contacts, solution)
+        say_of_sliding(result, bodies, contacts, solution, cones=not wishes.sides)
     if bodies.together is None:
         say_of_jams(result, bodies, contacts, method)
         if solution.factor <= 1e-9:
@@ -200,7 +207,7 @@ def _set_safety(
         result.with_dilation = _safety_with_dilation(loaded, contacts, method)
     still = replace(loaded, live=np.zeros_like(loaded.live))
     if wishes.dilation:
-        say_of_sliding(result, still, contacts, mechanism)
+        say_of_sliding(result, still, contacts, mechanism, cones=not wishes.sides)
     say_of_jams(result, still, contacts, method)
     result.take(replace(mechanism, factor=factor))
     result.is_safety, result.at = True, wishes.at

@@ -14,9 +14,7 @@ YIELDS = 1.0 - 1e-6
 """Share of what a bar bears from which it counts as yielding."""
 
 
-def with_bars(
-    contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodies, stiffness: float
-) -> RigidContacts:
+def with_bars(contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodies, stiffness: float) -> RigidContacts:
     """The contacts, and behind them bars: a force along a line does the same wherever on it it acts.
 
     An end that stays in space is taken as one of a block that is held. Raises SceneError where there is none.

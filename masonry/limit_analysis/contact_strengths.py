@@ -58,10 +58,12 @@ def contacts_of(
     )
 
 
-def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> list[str]:
-    """Groups of contacts that have cohesion or tensile strength, or are elastic and bear anything."""
+def strong_groups(scene: Scene, specimen: Specimen, joints: Joints) -> tuple[list[str], list[str]]:
+    """Groups of contacts that are elastic, and bear anything; and those that have cohesion or tensile strength."""
     names, _ = contact_groups(specimen.blocks, joints)
-    return [name for name in names if any(_strengths(scene, name, True)[1:])]
+    strengths = {name: _strengths(scene, name, True) for name in names}
+    elastic = [name for name, (_, _, tension, solid) in strengths.items() if solid or np.isinf(tension)]
+    return elastic, [name for name in names if name not in elastic and any(strengths[name][1:])]
 
 
 def crushing_strengths(scene: Scene, specimen: Specimen, joints: Joints) -> dict[str, float]:

@@ -36,11 +36,17 @@ def say_what_it_is(result: LimitData, contacts: RigidContacts, method_word: str,
 
 
 def scene_remarks(
-    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool, crushes: bool
-) -> list[str]:
-    """What a limit analysis takes otherwise than the scene has it."""
+    scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool, crushes: bool,
+    other: str = "",
+) -> list[str]:  # fmt: skip
+    """What a limit analysis takes otherwise than the scene has it.
+
+    other: words of the command that --crushing does not go with
+    """
     remarks = []
-    strong = strong_groups(scene, specimen, joints)
+    elastic, strong = strong_groups(scene, specimen, joints)
+    if elastic:
+        remarks.append(f"joints of {', '.join(elastic)} are elastic: they bear any force, as they do in a run")
     if strong and strength:
         remarks.append(
             f"cohesion and tension of {', '.join(strong)} are taken as plastic strengths on the areas of the contact "
@@ -50,9 +56,11 @@ def scene_remarks(
         remarks.append("without cohesion and tension, with the friction that is left once they are gone")
     crushing = {} if crushes else crushing_strengths(scene, specimen, joints)
     if crushing:
+        pulls = contacts.tension[~contacts.is_bar & np.isfinite(contacts.tension)].any()
+        more = " with --no-strength" * bool(pulls and strength) + f", without {other}" * bool(other)
         remarks.append(
             f"joints of {', '.join(crushing)} crush in a run, and bear any pressure here: it may fall earlier; "
-            f'--crushing "{min(crushing.values()) * 1e-6:g} MPa" takes that as a plastic strength'
+            f'--crushing "{min(crushing.values()) * 1e-6:g} MPa"{more} takes that as a plastic strength'
         )
     if any(scene.deforms(g) for g in specimen.blocks.groups):
         remarks.append("every block is taken as rigid")
@@ -63,13 +71,15 @@ def scene_remarks(
     return remarks
 
 
-def say_of_sliding(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, mechanism: Solution) -> None:
+def say_of_sliding(
+    result: LimitData, bodies: RigidBodies, contacts: RigidContacts, mechanism: Solution, cones: bool = True
+) -> None:
     """A word where a mechanism slides, and rises by that in limit analysis but not in the scene."""
     slides = sliding_fraction(bodies, contacts, mechanism) > SLIDES
     if slides and not rises(result.scene, result.specimen, result.joints):
         result.remarks.append(
             "joints slide in this mechanism, and rise as they slide; in this scene they do not, or rise less, so that "
-            "it may fall earlier: --no-dilation tells"
+            f"it may fall earlier: --no-dilation{'' if cones else ', without --linear,'} tells"
         )
 
 

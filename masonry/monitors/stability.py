@@ -7,6 +7,7 @@ import numpy as np
 from geometry.jit_cache import compiled
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.energy import open_in_contacts
+from masonry.configuration.parts.loose_blocks import loose_blocks
 from masonry.configuration.parts.parts import parts_of
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.model.kinds import dof_words
@@ -23,6 +24,9 @@ STRETCHED = 1e-10
 """Share of the smallest block by which the stiffest bar is stretched at the least work that is looked at, if there are
 bars. The force of a bar that is pulled aside from rest grows as the third power of the way: over its first steps the
 two sums differ by half, of next to nothing."""
+
+FALLS = 'What falls needs displacements = "large"'
+"""What to do about it in small displacement."""
 
 FAST = 0.05
 """Of the fastest: components of motion that are slower on average count as if they were as fast."""
@@ -93,9 +97,16 @@ class Watch(Observer):
             f"The time step is {model.dt:.4g} s; the proven bound is {model.bound:.4g} s (limited by "
             f'{model.limited_by}). Use time_step = "gershgorin" with step_fraction <= 1'
         )
+        kind, row, i = self._fastest()
+        block = int(model.layout.owner[kind][row])
         if model.dt <= model.bound:
             why = self.configuration.advice(self.leap)
-        raise Stopped(f"unstable at step {step}: {dof_words(model.layout, *self._fastest())}, runs away. {why}")
+            if (
+                not self.configuration.any_size
+                and loose_blocks(model, np.abs(model.contacts.force).sum(axis=1) > 0.0)[block]
+            ):
+                why = f"Block {block} came loose: no joint that bears anything holds it. {FALLS}"
+        raise Stopped(f"unstable at step {step}: {dof_words(model.layout, kind, row, i)}, runs away. {why}")
 
     def _check_rotation(self, step: int) -> None:
         for part in parts_of(self.model):
@@ -109,7 +120,7 @@ class Watch(Observer):
                     f"step {step}: {part.name} block {block} at ({where}) m has rotated by {most:.3g} rad, more than "
                     f"solver.rotation_limit = {self.rotation_limit:g}. Displacements are linear in rotations here: a "
                     f"turn of {more:g} rad leaves an error of {50.0 * more**2:.2g} %. To accept that: --set "
-                    f"solver.rotation_limit={more:g}"
+                    f"solver.rotation_limit={more:g}. {FALLS}"
                 )
             self.rotation = max(self.rotation, most)
 

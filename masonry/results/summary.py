@@ -146,6 +146,7 @@ class Rest(Record):
     kinetic_after_settling: float | None = None
     unrest_after_settling: Restless | None = one_of(Restless)
     moving_at_end: Restless | None = one_of(Restless)
+    came_loose: str | None = None
     swing_too_wide: float | None = None
 
 
@@ -166,6 +167,7 @@ class Damage(Record):
 
     sudden_cracks: list[SuddenCrack] | None = list_of(SuddenCrack)
     released_over_dissipated: float | None = None
+    released_over_work: float | None = None
     joints_opened_or_slid: int | None = None
     broken_area_m2: dict[str, float] | None = None
     damaged_area_m2: dict[str, float] | None = None

@@ -4,9 +4,8 @@ from typing import Any
 
 from masonry.errors import nearest
 from masonry.scene.tables.types import KeyedError
+from masonry.scene.variant import LIMITS
 
-LIMITS = ("rotation_limit", "slip_limit")
-"""Keys of [solver] at which a run of small displacements stops."""
 STEPS_A_LAYER = 20
 """Of the settling, at least, for each layer in which the weight comes on."""
 

@@ -24,6 +24,11 @@ RIVALS = (
     {"position", "between"},
 )
 
+LIMITS = ("rotation_limit", "slip_limit")
+"""Keys of [solver] at which a run of small displacements stops."""
+ENDS: dict[Keys, tuple[str, ...]] = {("displacements", "large"): LIMITS}
+"""Keys of [solver] that end with a value of a key."""
+
 
 def overlay(below: dict[str, Any], above: dict[str, Any]) -> dict[str, Any]:
     """Raw values of a scene with those of another on top: tables are merged, lists and values replaced.
@@ -55,7 +60,7 @@ def _kind(raw: dict[str, Any]) -> Any:
 def drop_rivals(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
     """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them.
 
-    The duration of an expression goes with it.
+    The duration of an expression goes with it, and with large displacement go the limits of small ones.
     """
     table: Any = raw
     part: Any
@@ -64,6 +69,9 @@ def drop_rivals(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
             at = (*path[:n], rival)
             _drop(raw, table, at, keys)
         listed = part == "history" and isinstance(table, dict) and _is_list(table.get(part))
+        if isinstance(table, dict) and isinstance(value := table.get(part), str):
+            for key in ENDS.get((*path[: n + 1], value), ()):
+                _drop(raw, raw.get("solver"), ("solver", key), keys)
         if part in ("displacement", "tilt") or listed:
             _drop(raw, table, (*path[:n], "duration"), keys)
         try:

@@ -171,7 +171,7 @@ class _LoadPath:
         return self.settled(self.unloaded, 1.0, 0.0, between, TRIES_AT_REST)
 
     def without_sliding(self) -> np.ndarray:
-        """The forces at a factor of 1 where no joint slides, whatever presses it: what is jammed is pressed by nothing."""
+        """The forces at a factor of 1 where no joint slides, whatever presses it: nothing presses what is jammed."""
         loads = np.abs(self.bodies.dead[:, :3]).sum() + np.abs(self.bodies.live[:, :3]).sum()
         great = np.full(self.flat.count, GREAT * loads)
         stuck = replace(self.flat, friction=np.zeros_like(great), cohesion=np.where(self.flat.is_bar, 0.0, great))

@@ -77,10 +77,9 @@ class RigidContacts:
         """The same with cohesion, tension, compressive strength, and what bars bear and are tightened to, multiplied by
         a number."""
         crush = None if self.crush is None else self.crush.times(times)
-        of_bars = {
-            name: None if (force := getattr(self, name)) is None else force * times for name in ("most", "pretension")
-        }
-        return replace(self, cohesion=self.cohesion * times, tension=self.tension * times, crush=crush, **of_bars)
+        most, tightened = (None if force is None else force * times for force in (self.most, self.pretension))
+        grown = {"cohesion": self.cohesion * times, "tension": self.tension * times}
+        return replace(self, **grown, crush=crush, most=most, pretension=tightened)
 
     @property
     def is_bar(self) -> np.ndarray:

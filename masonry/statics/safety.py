@@ -52,9 +52,7 @@ def factor_of_safety(
     while not stands:
         high, worst, low = low, best, 0.25 * low
         if low < 1.0 / LARGEST:
-            raise SceneError(
-                "no amount of friction and cohesion makes it stand: joints open, or nothing presses them"
-            )
+            raise SceneError("no amount of friction and cohesion makes it stand: joints open, or nothing presses them")
         best, stands = at(low)
     while high > (1.0 + CLOSE[dilation]) * low:
         middle = (low * high) ** 0.5

@@ -13,6 +13,7 @@ DRIVEN: dict[str, Any] = {
     "slip_limit": 0.25,
     "compression_over_strength": 0.5,
     "released_over_dissipated": 0.0,
+    "released_over_work": 1.0,
     "damping_over_external": 0.0,
     "reaction_mismatch_max": 0.0,
     "kinetic_over_internal_max": 0.0,

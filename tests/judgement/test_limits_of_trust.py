@@ -24,6 +24,7 @@ LIMITS = [
     (DRIVEN, "compression_over_strength", 1.0, "contacts bear up to 1.01 times their compressive strength"),
     (with_numbers(DRIVEN, slip_limit=0.5), "slip_max", 0.1, "contacts slid by up to 0.1"),
     (DRIVEN, "released_over_dissipated", 0.01, "sudden cracks released 1 %"),
+    (with_numbers(DRIVEN, released_over_dissipated=0.5), "released_over_work", 1e-3, "sudden cracks released 50 %"),
     (DRIVEN, "damping_over_external", -0.01, "damping added 1 % of the work and removed none"),
     (DRIVEN, "damping_over_external", 0.02, "not quasi-static: damping takes 0.02 of the work (should be under 0.02)"),
     (DRIVEN, "reaction_mismatch_max", 0.02, "not quasi-static: the forces at drive and support differ by 0.02"),

@@ -58,8 +58,8 @@ def test_a_bar_that_leans_holds_and_presses_until_it_yields():
 
 def test_a_run_bears_the_same():
     scene = anchored(700.0, SIDEWAYS)
-    found = masonry.run(scene.with_({"limit.accuracy": 0.004, "settle": {"steps": 4000}})).summary["collapse_load"]
-    assert found["borne"] <= masonry.limit(scene, dilation=False).factor * 1.0005 <= found["falls"] * 1.001
+    factor = masonry.run(scene.with_({"limit.accuracy": 0.004, "settle": {"steps": 4000}})).summary["collapse_load"]
+    assert factor["borne"] <= masonry.limit(scene, dilation=False).factor * 1.0005 <= factor["falls"] * 1.001
 
 
 def test_the_factor_of_safety_is_by_the_same_pressure():
@@ -106,8 +106,8 @@ def test_no_friction_holds_what_nothing_presses():
   {name = "right", origin = ["2.8 m", "0 m", "-1 m"], size = ["0.2 m", "0.3 m", "2 m"], unit = 4},
 ]
 [material"""
-    held = "".join(f'[[support]]\non = "{name}"\nfix = "all"\n' for name in ("left", "right"))
-    scene = load(block(held).replace("]\n[material", stone))
+    supports = "".join(f'[[support]]\non = "{name}"\nfix = "all"\n' for name in ("left", "right"))
+    scene = load(block(supports).replace("]\n[material", stone))
     with pytest.raises(SceneError, match="stands only if it is jammed: the least friction is enough"):
         masonry.limit(scene, safety=True)
     with pytest.raises(SceneError, match="no amount of friction makes it stand without dilation"):

@@ -30,6 +30,7 @@ def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[Su
     return Damage(
         sudden_cracks=sudden,
         released_over_dissipated=released_by(sudden) / scales.lost if sudden and scales.lost > 0.0 else 0.0,
+        released_over_work=_over_work(released_by(sudden), scales),
         joints_opened_or_slid=_opened_or_slid(assembly),
         broken_area_m2=areas_beyond(assembly, outcome, BROKEN),
         damaged_area_m2=areas_beyond(assembly, outcome, DAMAGED),
@@ -53,6 +54,12 @@ def sudden_cracks(assembly: Assembly, outcome: Outcome, scales: Scales) -> list[
 def released_by(sudden: list[SuddenCrack]) -> float:
     """J that sudden cracks released together."""
     return sum(crack.released_j for crack in sudden)
+
+
+def _over_work(released: float, scales: Scales) -> float:
+    """Over the work since the settling, or what the force of the drive did, part of which a weight may take back."""
+    work = max(scales.driven, float(scales.pushed[-1]))
+    return released / work if work > 0.0 else 0.0
 
 
 def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict[str, float]:

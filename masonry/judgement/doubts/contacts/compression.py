@@ -11,6 +11,6 @@ COMPRESSION = Criterion(
     measure=lambda evidence: evidence.number("compression_over_strength"),
     limit=1.0,
     sentence="contacts bear up to {value:.3g} times their compressive strength, as crushing is not modelled",
-    advice='model it: crushing = "cap" or "cut-off"',
+    advice='model it: crushing = "cut-off", or "cap" with a fracture_energy_compression and a closing_at_peak',
     asked_of=lambda evidence: evidence.summary.get("compression_over_strength") is not None,
 )

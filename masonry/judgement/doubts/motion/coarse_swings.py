@@ -1,6 +1,6 @@
 """Are swings followed by steps that are short beside them? The share by which they come out too wide, (w dt)^2/8; they
 are too fast by a third of that. Asked of motions in real time in small displacement, where one block on a soft joint is
-all there is to bound the step.
+all there is to bound the step; not of what rests under dead loads.
 """
 
 from masonry.judgement.doubt import Criterion

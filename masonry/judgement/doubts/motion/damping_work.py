@@ -7,7 +7,7 @@ more than a slow run has.
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import acts_slowly
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly, slower
 from masonry.judgement.evidence import Evidence
 
 TAKES, ADDS = 0.02, 0.01
@@ -24,7 +24,7 @@ DAMPING = Criterion(
     measure=lambda evidence: evidence.number("damping_over_external"),
     limit=TAKES,
     sentence="not quasi-static: damping takes {value:.2g} of the work (should be under {limit:g})",
-    advice="load more slowly: ask for a smaller accuracy, or lower the rate",
+    advice=slower,
     asked_of=acts_slowly("damping_over_external"),
 )
 DAMPING_GAIN = Criterion(

@@ -4,7 +4,7 @@
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import acts_slowly
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly, slower
 
 LIMIT = 0.05
 KINETIC_ENERGY = Criterion(
@@ -13,7 +13,7 @@ KINETIC_ENERGY = Criterion(
     limit=LIMIT,
     sentence="not quasi-static: the kinetic energy reaches {value:.2g} of the internal energy (should be under "
     "{limit:g})",
-    advice="load more slowly: ask for a smaller accuracy, or lower the rate",
+    advice=slower,
     asked_of=acts_slowly("kinetic_over_internal_max"),
     unknown="the kinetic energy is not known",
 )

@@ -15,3 +15,9 @@ def should_be_slow(evidence: Evidence) -> bool:
 def acts_slowly(key: str) -> Callable[[Evidence], bool]:
     """Whether it should be slow, and something acts after the settling: a drive, or whatever made a number there."""
     return lambda evidence: should_be_slow(evidence) and (evidence.has_drive or evidence.number(key) is not None)
+
+
+def slower(evidence: Evidence) -> str:
+    """What makes a test slower, by what loads it."""
+    how = "ask for a smaller accuracy, or lower the rate" if evidence.has_drive else "let its histories take longer"
+    return f"load more slowly: {how}"

@@ -4,7 +4,7 @@ The stress is read at the drive: it is uncertain by what the other end reads oth
 """
 
 from masonry.judgement.doubt import Criterion
-from masonry.judgement.doubts.motion.quasi_static import acts_slowly
+from masonry.judgement.doubts.motion.quasi_static import acts_slowly, slower
 
 REACTION_MISMATCH = Criterion(
     name="reaction_mismatch",
@@ -12,7 +12,7 @@ REACTION_MISMATCH = Criterion(
     limit=0.02,
     sentence="not quasi-static: the forces at drive and support differ by {value:.2g} of the peak (should be under "
     "{limit:g})",
-    advice="load more slowly: ask for a smaller accuracy, or lower the rate",
+    advice=slower,
     asked_of=acts_slowly("reaction_mismatch_max"),
     unknown="no force at drive or support was measured: the drive met nothing, or the run ended before it did",
 )

@@ -4,7 +4,8 @@ Such a joint turns about the place where its crushed part ends, and closes by th
 that place lies at one of them: the moment hardly changes by it, what the edge closed by does. By hand, under the normal
 force of the joint where the drive is farthest, from a fifth less to a quarter more: the energy of the crushed part by
 its points and by strips, both elastic up to the strength, at the turn that the joint has. It is as often too large as
-too small, so joints add up by their squares. The limit is 3 % of the external work. What crushed evenly is known.
+too small, so joints add up by their squares. The limit is 3 % of the external work. What crushed evenly is known. A run
+that is made for the factor of a load does not rest on it and is not asked.
 """
 
 import numpy as np
@@ -16,7 +17,7 @@ from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.joint_faces import MOST, Faces, corners_of
 from masonry.laboratory.remarks.joint_sections import NARROW, Section, of_points, spread
-from masonry.rows.columns import CRUSHING
+from masonry.rows.columns import CRUSHING, FACTOR
 
 OFF = 0.03
 """Of the largest external work."""
@@ -34,7 +35,7 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
     rows = inspection.outcome.history.rows if inspection.frames else {}
     scene = inspection.assembly.scene
-    if CRUSHING not in rows or inspection.frames[-1].crushing is None:
+    if CRUSHING not in rows or FACTOR in rows or inspection.frames[-1].crushing is None:
         return []
     if scene.is_large and any(map(scene.is_meshed, scene.material)):  # its patches are triangles of a mesh
         return []

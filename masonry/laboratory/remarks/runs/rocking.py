@@ -1,7 +1,8 @@
 """Did joints without tension rock about points within their edges? Such a block has too short a lever arm.
 
 A joint rocked where it was open on one side and pressed on the other in a frame: open by a thousandth of the largest
-movement of any contact.
+movement of any contact. One whose edge crushed does not rock about a point: it turns about the end of what is crushed,
+and is asked by `crushed_toes`.
 """
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.edge_reach import rocking
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.laboratory.remarks.runs.crushed_toes import WEDGE
 
 LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
@@ -22,7 +24,23 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         pressed = frame.normal_stress < 0.0
         apart = frame.opening > LIFTED * float(np.abs(frame.opening).max(initial=0.0))
         rocked |= _in_joints_of(patch, pressed, apart)
+    rocked &= ~np.isin(patch, patch[_crushed(inspection)])
     return rocking(inspection.assembly, rocked, "opened on one side and turn")
+
+
+def _crushed(inspection: Inspection) -> np.ndarray:
+    """(C,) which contacts closed for good by a tenth of what they close elastically at their strength."""
+    model, frames = inspection.assembly.model, inspection.frames
+    crushed = np.zeros(len(model.group), dtype=bool)
+    closing = frames[-1].crushing if frames else None
+    if closing is None:
+        return crushed
+    groups = model.groups
+    for joint, first, end in zip(groups.properties, groups.bounds[:-1], groups.bounds[1:], strict=True):
+        if joint.compressive_strength is not None:
+            elastic = np.asarray(joint.compressive_strength) / np.asarray(joint.normal_stiffness)
+            crushed[first:end] = closing[first:end] > WEDGE * elastic
+    return crushed
 
 
 def _in_joints_of(patch: np.ndarray, some: np.ndarray, others: np.ndarray) -> np.ndarray:

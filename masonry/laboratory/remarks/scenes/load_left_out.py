@@ -29,7 +29,10 @@ def doubts(assembly: Assembly) -> list[Doubt]:
         return []
     words = WORDS[limit.pattern].format(on=limit.on)
     sentence = f"a run leaves out the load of [limit], {words}: its answer is that of the other loads alone"
-    advice = "give limit.accuracy = '1 %' for a run in which it grows, 'none' where only `masonry limit` needs it"
+    grow = "give limit.accuracy = '1 %' for a run in which it grows"
+    if scene.solver.masses == "real" or scene.solver.duration is not None:
+        grow = "give limit.accuracy = '1 %' for a run in which it grows, with scaled masses and without a duration"
+    advice = f"{grow}; 'none' where only `masonry limit` needs it"
     if scene.vehicle is not None:
         sentence, advice = f"a run leaves out the load of [limit], {words}, and is refused", VEHICLE_CURE
     return [Doubt("load_left_out", None, None, sentence, advice)]

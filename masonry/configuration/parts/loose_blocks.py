@@ -1,0 +1,24 @@
+"""Which blocks have come loose: nothing that bears joins them to a block that is held or driven."""
+
+import numpy as np
+
+from masonry.configuration.parts.parts import parts_of
+from masonry.model.model import Model
+
+
+def loose_blocks(model: Model, bears: np.ndarray) -> np.ndarray:
+    """(B,) whether each block is loose, by which contacts (C,) bear something; bars count as bearing."""
+    joints, loose = model.joints, np.ones(model.blocks.count, dtype=bool)
+    for part in parts_of(model):
+        supported = (part.body.dt_over_mass[: len(part.owner)] == 0.0).any(axis=1)
+        loose[part.owner[supported]] = False
+    sides = np.column_stack([joints.block_a, joints.block_b])[bears]
+    if (bars := model.bar_places) is not None:
+        loose[bars.block[bars.ends_in_space].max(axis=1)] = False
+        sides = np.concatenate([sides, bars.block[~bars.ends_in_space]])
+    changes = True
+    while changes:
+        reached = sides[loose[sides[:, 0]] != loose[sides[:, 1]]]
+        changes = len(reached) > 0
+        loose[reached] = False
+    return loose
