@@ -89,6 +89,8 @@ LIMITS = [
     ),
     (REAL_TIME, "energy_j__damping", 2.0, "local damping took 1 % of the work"),
     (REAL_TIME, "energy_j__damping", -2.0, "local damping took 1 % of the work"),
+    (SHAKEN, "rotation_max_rad", 0.1, "a block turned by 0.1 rad as the ground shook: near to overturning one history"),
+    (SHAKEN, "shaking__kinetic_at_end", 0.01, "the specimen still moved at the end, with 1 % of its largest kinetic"),
     (GROWN, "collapse_load__swayed_over_block", 0.005, "blocks moved by up to 0.005 of the smallest one before it"),
     (
         with_numbers(GROWN, collapse_load__accuracy=0.002),
@@ -155,6 +157,7 @@ def test_a_contact_may_take_two_hundredths_more_of_mode_2_than_its_law_has(summa
         (GROWN, {"reaction_mismatch_max": 3.0, "kinetic_over_internal_max": 9.0, "damping_over_external": 0.9}),
         (GROWN, {"collapse_load__swayed_over_block": None}),
         (LED, {"collapse_load__branch__ends": "zero"}),
+        (REAL_TIME, {"rotation_max_rad": 3.0}),
         (with_numbers(DRIVEN, law_by_group={"beds": "elastic", "heads": "elastic"}), {"rise_at_end": 0.1}),
     ],
 )
@@ -172,6 +175,7 @@ def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers)
         (DRIVEN, {"stopped": "unstable"}, "the run was stopped"),
         (DRIVEN, {"energy_j__area": None}, "there is no number of this energy: area"),
         (DRIVEN, {"energy_j__kinetic": float("inf")}, "there is no number of this energy: kinetic"),
+        (AT_REST, {"came_loose": "block 1 came loose"}, "block 1 came loose: no joint that bears anything holds it"),
         (DRIVEN, {"met": "block 1 and block 2 meet"}, "block 1 and block 2 meet: nothing holds them apart"),
         (GROWN, {"collapse_load__falls": None}, "nothing fell up to the factor at which the load ends"),
         (GROWN, {"collapse_load__borne": 0.0}, "not the least part of the load was borne"),

@@ -1,5 +1,5 @@
-"""Did blocks come loose in small displacement, where nothing leads them? What no joint holds any more flies off: how fast
-says nothing of the load."""
+"""Did blocks come loose in small displacement, where nothing leads them? What no joint holds any more flies off: how
+fast says nothing of the load."""
 
 from masonry.judgement.doubt import Criterion
 
