@@ -146,3 +146,31 @@ def test_the_mesh_that_is_proposed_would_do():
     (said,) = [line for line in masonry.modes(leaning("60 mm", length=0.4), 1).remarks if "tets" in line]
     finer = re.search(r'"(\d+ mm)"', said)[1]
     assert not [line for line in masonry.modes(leaning(finer, length=0.4), 1).remarks if "tets" in line]
+
+
+DRY = 'law = "friction"\nnormal_stiffness = "30 GPa/m"\nshear_stiffness = "12 GPa/m"\ntan_friction_angle = '
+SLENDER = (0.5, 0.3, 1.0)
+
+
+def pushed_over(law: str, more: str, size: tuple[float, float, float] = SLENDER):
+    """A coarsely meshed block on a rigid one, and what is told of its mesh."""
+    material = f'density = "{DENSITY} kg/m^3"\nyoung_modulus = "{YOUNG} Pa"\npoisson_ratio = {NU}'
+    parts = [box("base", (-1, 0, -1), (3, 0.3, 1), "stone", 0), box("b", (0, 0, 0), size, "units", 1)]
+    return laboratory.run(
+        load(
+            'kinematics = {default = "tets", stone = "rigid"}\n'
+            + specimen(parts, 1.0, "250 mm")
+            + tables("material", {"units": material, "stone": material})
+            + tables("contact", {"stone_units": law})
+            + listed("support", ['on = "base"\nfix = "all"'])
+            + f'[gravity]\nz = "-10 m/s^2"\n{more}'
+        )
+    )
+
+
+def test_a_factor_that_dry_joints_bear_does_not_rest_on_the_mesh_and_one_that_did_not_fall_does():
+    grows = '[limit]\npattern = "weight"\ndirection = "x"\naccuracy = "1 %"\n'
+    result = pushed_over(DRY + "0.7", grows)
+    factor = result.summary["collapse_load"]
+    assert factor["borne"] <= 0.5 * 1.005 and factor["falls"] >= 0.5 * 0.995 and result.verdict == "sound"
+    assert told(pushed_over(DRY + "0.7", grows + "up_to = 0.45\n"))
