@@ -15,5 +15,5 @@ DISSIPATION = Criterion(
     sentence=lambda evidence, value: (
         f"laws and contacts disagree on the dissipated energy by {percent(value, 3)} (should be under {percent(LIMIT)})"
     ),
-    advice="take smaller steps",
+    advice="take smaller steps: lower solver.step_fraction",
 )

@@ -11,5 +11,5 @@ MODE_2 = Criterion(
     measure=lambda evidence: evidence.number("mode_2_over_law"),
     limit=1.02,
     sentence="a contact took {value:.3g} times the energy of mode II that its law has",
-    advice="take smaller steps, or check the law where it is your own",
+    advice="take smaller steps (lower solver.step_fraction), or check the law where it is your own",
 )

@@ -11,7 +11,8 @@ from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
 from masonry.model.layout import tet_volumes
 
-LIMIT = 0.05
+LIMIT, SIZE = 0.05, "specimen.mesh_size"
+OF_FAN = f'take specimen.mesh = "gmsh" with a {SIZE} that is a fraction of the block'
 
 
 def doubts(assembly: Assembly) -> list[Doubt]:
@@ -30,7 +31,8 @@ def doubts(assembly: Assembly) -> list[Doubt]:
         f"the mesh gives block {worst} ({blocks.groups[blocks.group[worst]]}) {100 * excess[worst]:.0f} % too much "
         "rotational inertia, so that it turns too slowly"
     )
-    return [Doubt("mesh_inertia", float(excess[worst]), LIMIT, sentence, "take a smaller specimen.mesh_size")]
+    fan = assembly.scene.specimen.mesh == "fan"
+    return [Doubt("mesh_inertia", float(excess[worst]), LIMIT, sentence, OF_FAN if fan else "take a smaller " + SIZE)]
 
 
 def inertia_excess(mesh: TetMesh, centroid: np.ndarray) -> np.ndarray:
