@@ -22,7 +22,7 @@ STEPS = {
     "block-shaken": 585385,
     "bridge": 20000,
     "bridge-single-span": 20000,
-    "column-pulse": 211180,
+    "column-pulse": 832718,
     "column-pushed": 105682,
     "couplet": 4441,
     "couplet-cyclic": 7096,
