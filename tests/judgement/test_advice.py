@@ -149,7 +149,10 @@ def cures() -> dict[str, list[tuple[Scene, list[dict]]]]:
         "placeholders": [(one(assumptions={"contact.unit_unit": INVENTED}),
                           [{"assumptions": {}}])],
         "rocking": [(one(specimen__contact_points="gauss", specimen__points_per_edge=2),
-                     [{"specimen.contact_points": "vertex"}])],
+                     [{"specimen.contact_points": "vertex"}]),
+                (one("", 'law = "friction"\ncompressive_strength = "1 MPa"\ncrushing = "cut-off"\n',
+                     specimen__contact_points="gauss", specimen__points_per_edge=2),
+                 [{"specimen.points_per_edge": 6}])],
         "closed_joints": [
             (packaged("arch-own-weight"), [{"specimen.points_per_edge": 12}, {"specimen.contact_points": "gauss"}]),
             *((one().with_(given), [cure]) for given, cure in MORE_POINTS),

@@ -15,12 +15,13 @@ from masonry.laboratory.remarks.scenes import shaken_drive, tension
 from masonry.laboratory.summary.rest import rest
 from masonry.monitors.collapse import Strains
 from masonry.rows.columns import CRUSHING, FACTOR
-from masonry.rows.history import Frame
+from masonry.rows.history import Frame, History
 from masonry.scene import load
+from masonry.timeloop.recording import Outcome
 from tests.judgement.frames import frame
-from tests.judgement.test_crushed_toes import SIDE, STRENGTH
-from tests.judgement.test_crushed_toes import scene as crushing_scene
+from tests.judgement.test_crushing_energy import SIDE, STRENGTH
 from tests.judgement.test_crushing_energy import inspection as crushed
+from tests.judgement.test_crushing_energy import scene as crushing_scene
 from tests.judgement.test_limits_of_remarks import EITHER_SIDE, glued, inspected, said
 from tests.results.test_trust_of_dry_joints import BLOCK, DRY, GROUND, HELD, WEIGHT
 from tests.results.test_trust_of_dry_joints import scene as small
@@ -107,8 +108,8 @@ def at_rest(assembly: Assembly, frames: list[Frame], kinetic: float = 0.0, **mor
     rows |= {"elastic_blocks": np.zeros(2), "elastic_contacts": np.array([0.0, 1.0])} | more
     observed = {"unbalanced": [0.0], "still_moving": [0.0], "of_a_block": [-1.0], "energy_of_a_block": [0.0]}
     observed |= {"block": [0.0], "swing_in_a_step": np.array([0.5])}
-    history = SimpleNamespace(rows=rows, frames=frames)
-    return rest(assembly, SimpleNamespace(observed=observed, history=history, found={}))
+    history = History(rows, frames)
+    return rest(assembly, Outcome(history, observed=observed))
 
 
 TWO = [GROUND, BLOCK, box("on top", (0, 0, 0.5), (0.2, 0.1, 0.1), "units", 2)]
@@ -162,7 +163,7 @@ def test_swings_under_dead_loads_count_from_a_millionth_of_what_is_stored_on(sha
 @pytest.mark.parametrize(("share", "told"), [(0.99, True), (1.01, False)])
 def test_a_joint_whose_edge_crushed_does_not_rock_about_a_point(share, told):
     """It closes by 1 mm at its strength, and a tenth of that for good is a toe."""
-    assembly = assemble(crushing_scene('contact_points = "gauss"\npoints_per_edge = 2'))
+    assembly = assemble(crushing_scene("small", 2))
     left = assembly.joints.point[:, 0] < 0.5 * SIDE
     closing = np.zeros(len(left))
     closing[np.flatnonzero(left)[0]] = share * 0.1 * STRENGTH / 10e9

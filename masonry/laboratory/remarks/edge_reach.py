@@ -11,6 +11,8 @@ REACH = 0.9
 """Share of the way from the middle of a joint to its corners: contact points that reach less far leave a lever arm that
 is too short, by which a block rocks too early."""
 
+MORE = "take specimen.points_per_edge = 6 or more, as an edge that may crush needs points beside it too"
+
 
 def is_dry(assembly: Assembly, g: int) -> bool:
     """Whether the joints of a contact group have no tension."""
@@ -37,7 +39,10 @@ def rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[Doubt]:
             f"contact.{name}: joints without tension {what} about their outermost contact points, and these reach "
             f"{least:.2g} of the way from the middle to the corners"
         )
-        raised.append(Doubt("rocking", least, REACH, sentence, 'take specimen.contact_points = "vertex"'))
+        crushes = assembly.scene.contact_of(name).crushing is not None
+        raised.append(
+            Doubt("rocking", least, REACH, sentence, MORE if crushes else 'take specimen.contact_points = "vertex"')
+        )
     return raised
 
 

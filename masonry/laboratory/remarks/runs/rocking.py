@@ -10,8 +10,9 @@ import numpy as np
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.edge_reach import rocking
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.runs.crushed_toes import WEDGE
 
+TOE = 0.1
+"""Of the closing at which a joint presses by its strength: what closed for good by more is a crushed edge."""
 LIFTED = 1e-3
 """Share of the largest opening or closing of all contacts from which on one is open."""
 
@@ -39,7 +40,7 @@ def _crushed(inspection: Inspection) -> np.ndarray:
     for joint, first, end in zip(groups.properties, groups.bounds[:-1], groups.bounds[1:], strict=True):
         if joint.compressive_strength is not None:
             elastic = np.asarray(joint.compressive_strength) / np.asarray(joint.normal_stiffness)
-            crushed[first:end] = closing[first:end] > WEDGE * elastic
+            crushed[first:end] = closing[first:end] > TOE * elastic
     return crushed
 
 
