@@ -136,7 +136,7 @@ def test_a_record_that_cannot_be_read_is_told_with_its_file(tmp_path, record):
     for keys, says in (
         ({"record": str(tmp_path / "other.csv")}, "ground.record: .*other.csv"),
         ({"x": "nord"}, "ground.record: 'own.csv' has no column 'nord'; known here: north"),
-        ({"x": "time"}, "ground.unit: missing; 'own.csv' does not say"),
+        ({"x": "time"}, "ground.record: x = 'time' is the column of the times: name one of a motion"),
         ({"unit": "m/s2"}, "ground.record: unit = 'm/s2', but 'own.csv' says"),
     ):
         with pytest.raises(SceneError, match=says):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.cli.main import main
-from masonry.ground.record_file import read_record
+from masonry.ground.records.reading import read_record
 from masonry.scene.tables.dynamics.made_record import MadeGround
 
 KEYS = ["spectrum=clough-penzien", "peak=0.3 g", "duration=5 s", "shortest=0.1 s", "seed=4"]

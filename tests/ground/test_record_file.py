@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
-from masonry.ground.record_file import read_record
+from masonry.ground.records.reading import read_record
 
 GOOD = "time (s),acceleration (g)\n0.00,0.1\n0.01,-0.2\n0.02,0.3\n"
 
@@ -92,14 +92,18 @@ def test_a_file_of_peer_goes_on_from_line_to_line_and_says_its_step(tmp_path):
         ("acceleration (g)\n1\n2\n3\n", "has no column of times: say the time from sample to sample, step = '0.01 s'"),
         ("acceleration,up\n3,1\n2,2\n1,1\n", "not later than .*; if none has times, say the time from"),
         ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0 x\n", "'x' is no number of a file of PEER"),
-        ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0\n", "says that it has NPTS = 4 samples, and 3 numbers follow"),
-        ("5 .01 NPTS, DT\n**** 2.0\n3.0 4.0\n5.0\n", "says that it has NPTS = 5 samples, and 3 numbers follow"),
+        ("NPTS= 4, DT= .01 SEC\n1.0 2.0\n3.0\n", "says that it has 4 samples, and 3 numbers follow"),
+        ("5 .01 NPTS, DT\n**** 2.0\n3.0 4.0\n5.0\n", "says that it has 5 samples, and 3 numbers follow"),
         ("time,acc (g)\n0,1\n1,2\n2,3\n", "no column 'acceleration'; known here: acc, time; did you mean 'acc'"),
         (
             "time (ms),acceleration (g)\n0,1\n1,2\n2,3\n",
             "the time is in 'ms', and must be in s; if none has times",
         ),
-        ("time,acceleration (mm)\n0,1\n1,2\n2,3\n", "'mm' is no unit of an acceleration; give g, m/s\\^2 or cm/s\\^2"),
+        (
+            "time,acceleration (mm)\n0,1\n1,2\n2,3\n",
+            "'mm' is the unit of a displacement, .* is quantity = 'displacement' meant",
+        ),
+        ("time,acceleration (counts)\n0,1\n1,2\n2,3\n", "'counts' is no unit of an acceleration; give g, m/s\\^2"),
         ("time,acceleration\n0,1\n1,2\n2,3\n", "unit: missing"),
         ("time,acceleration (g)\n0,1,5\n1,2,6\n2,3,7\n", "names 2 columns, the numbers have 3"),
         ("time,acceleration (g)\n", "has no line of numbers"),

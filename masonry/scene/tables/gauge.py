@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import AfterValidator, Field, PlainSerializer, PlainValidator, ValidationInfo, model_validator
 
 from masonry.errors import SceneError, visible
-from masonry.ground.record_file import read_record
+from masonry.ground.records.reading import read_columns
 from masonry.quantity import convert
 from masonry.rows.measured_curve import ForcePath
 from masonry.scene.tables.types import Direction, KeyedError, Table
@@ -121,7 +121,7 @@ class Curve(Table):
 
 
 def _measurement(curve: Curve, path: Path, section: float) -> ForcePath:
-    record = read_record(path)
+    record = read_columns(path)
     if record.values.shape[1] < 2:
         raise SceneError(f"{record.name} has one column: a curve has two, displacement and force")
     columns = [record.column(word) for word in curve.measured_columns or ("1", "2")]

@@ -134,7 +134,18 @@ def histories(draw: Draw) -> Attempt:
 
 
 RECORD = b"# a record\n# Time (s), North (g), Up (cm/s2)\n0.0,0.01,1\n0.01,-0.2,2\n0.02,0.3,-1\n0.03,0,0.5\n"
+OTHER_RECORDS = (
+    b"A town\nUNITS OF G\nNPTS= 7, DT= .0100 SEC\n  .1E-01 -.2D-01 0.3E+00\n -.1E+00-.2E+00 0.1E-01\n 0.0\n*** End ***\n",
+    b"Sampling Freq(Hz) 100Hz\nDuration Time(s)  0.08\nScale Factor      2000(gal)/8388608\nMemo.             \n"
+    b"     4321     5301     8237    13113    19907    28584    39101    51406\n",
+    b"SAMPLING_INTERVAL_S: 0.01\nNDATA: 4\nUNITS: cm/s^2\nDATA_TYPE: ACCELERATION\nUSER5:\n1.0\n-2.0\n3.0\n0.5\n",
+    b"".join(b" %7.3f %7.3f %7.3f\n" % (0.1 * k, 0.1 * k + 0.03, 0.1 * k + 0.07) for k in range(9)) + b" 0.9\n",
+    b"Corrected acceleration (Format v01.20 with 13 text lines)\n 1.0 2.0\n",
+)
+"""Of other formats: PEER, K-NET, ESM, numbers alone, one that is refused."""
 IN_RECORDS = (
+    b"NPTS= 4\n",
+    b"1" * 400,
     b"nan",
     b"inf",
     b"1e999",
@@ -168,12 +179,14 @@ OF_GROUND = {
 @kind("ground-records", 6)
 def ground_records(draw: Draw) -> Attempt:
     """Records of the ground, changed as text, and the keys that read them."""
-    content = changed_text(draw, RECORD)
+    of_table = chance(draw, 50)
+    content = changed_text(draw, RECORD if of_table else pick(draw, OTHER_RECORDS))
     for _ in range(below(draw, 3)):
         place = below(draw, len(content) + 1)
         content = content[:place] + pick(draw, IN_RECORDS) + content[place + below(draw, 3) :]
     keys = {key: pick(draw, values) for key, values in OF_GROUND.items() if chance(draw, 15)}
-    ground = {"record": "own.csv", "x": "North", "z": "Up", **keys}
+    columns = {"x": "North", "z": "Up"} if of_table else {"x": "1", "unit": "g"}
+    ground = {"record": "own.csv", **columns, **keys}
     scene = toml({"base": "block-rocking", "ground": ground, "solver": {"duration": "0.1 s"}})
     return Attempt(["check", "a.toml"], {"a.toml": scene.encode("utf-8", "surrogatepass"), "own.csv": content})
 

@@ -9,7 +9,9 @@ from pydantic import Field, create_model, model_validator
 
 from masonry.errors import SceneError, nearest
 from masonry.ground.ground_motion import Motion, from_formula, from_samples
-from masonry.ground.record_file import RecordFile, factor_of, read_record
+from masonry.ground.records.motion_units import factor_of
+from masonry.ground.records.reading import read_record
+from masonry.ground.records.record_file import RecordFile
 from masonry.scene.tables import expression
 from masonry.scene.tables.dynamics.acceleration_in_g import AccelerationInG
 from masonry.scene.tables.dynamics.made_record import COMPONENTS, MadeGround
@@ -175,6 +177,8 @@ def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motio
             return from_samples("acceleration", made.time, made.acceleration, ground.baseline)
         if ground.record is not None:
             file = _record(ground.record, stamp)
+            if file.times_in(ground.time, ground.step) == file.column(word):
+                raise SceneError(f"{axis} = '{word[:60]}' is the column of the times: name one of a motion")
             values = file.samples(word, ground.quantity, ground.unit)
             return from_samples(ground.quantity, file.time(ground.time, ground.step), values, ground.baseline)
         assert ground.duration is not None
