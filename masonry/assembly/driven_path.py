@@ -19,4 +19,4 @@ def path_in_time(scene: Scene) -> Timed | None:
     table = np.array([] if isinstance(drive.history, str) else drive.history)
     if scene.solver.masses != "real" or len(table) <= 2:  # two rows: a passage at one speed
         return path
-    return Timed(path.duration, from_displacement(table[:, 0], table[:, 1]).displacement_at)
+    return Timed(path.duration, from_displacement(table[:, 0], table[:, 1], slowly=True).displacement_at)

@@ -1,7 +1,8 @@
 """One component of a motion of the ground: its acceleration is straight between samples, and it is integrated exactly.
 
 Within a piece the velocity is a parabola and the displacement a cubic. Velocities and displacements that are given
-become splines whose acceleration is continuous and straight between knots, so that all motions are of one kind.
+become splines whose acceleration is continuous and straight between knots, so that all motions are of one kind; it may
+begin and end at once, as that of an acceleration may.
 """
 
 from collections.abc import Callable
@@ -15,7 +16,18 @@ FIRST_PIECES, MOST_HALVINGS = 64, 20
 """Pieces in which a formula is looked at first; how often each may be halved."""
 SETTLED = 1e-4
 """Of the peak acceleration: what twice as many samples may change in a spline through a formula."""
-MOST_PIECES = 2**16
+MISSED = 4.0
+"""Times STRAIGHT, and SETTLED: how far a formula may be off at times that no period fits (LOOKS, FEW of them)."""
+LOOKS, FEW = 2**17, 512
+FOLLOWED = 1e-3
+"""Of its largest value: how far a formula may be from the spline through it at LOOKS times."""
+GOLDEN = 0.6180339887498949
+MOST_PIECES, MOST_OF_SPLINES = 2**22, 2**21
+"""128 MB of an acceleration; some seconds of a spline."""
+SLOPE = (0.0,), (2.0, -0.5), (3.0, -1.5, 1.0 / 3.0)
+"""Of a polynomial through the first two, three or four samples: weights of the second sample and those after it."""
+CURVATURE = (0.0,), (4.0, -0.5), (6.0, -1.5, 2.0 / 9.0)
+"""The same of one that begins without a slope."""
 AT_REST = 1e-3
 """Of the peak: a velocity with which a record begins or ends below that is noise."""
 
@@ -70,21 +82,21 @@ class Motion:
     def velocity_at(self, time: np.ndarray) -> np.ndarray:
         """(k,) m/s at times (k,) s; after the end the residual velocity."""
         k, since = self._piece(time)
-        speed = self.velocity[k] + since * (self.acceleration[k] + 0.5 * self._slope[k] * since)
+        speed = self.velocity[k] + since * (self.acceleration[k] + 0.5 * self._slope(k) * since)
         return np.asarray(np.where(time < 0.0, 0.0, speed))
 
     def displacement_at(self, time: np.ndarray) -> np.ndarray:
         """(k,) m at times (k,) s; after the end it goes on at the residual velocity."""
         k, since = self._piece(time)
-        by_acceleration = 0.5 * self.acceleration[k] + self._slope[k] * since / 6.0
+        by_acceleration = 0.5 * self.acceleration[k] + self._slope(k) * since / 6.0
         place = self.displacement[k] + since * (self.velocity[k] + since * by_acceleration)
         late = np.maximum(np.asarray(time) - self.duration, 0.0)
         return np.asarray(np.where(np.asarray(time) < 0.0, 0.0, place + self.residual_velocity * late))
 
-    @property
-    def _slope(self) -> np.ndarray:
-        """(n - 1,) m/s3 of each piece."""
-        return np.diff(self.acceleration) / np.diff(self.time)
+    def _slope(self, k: np.ndarray) -> np.ndarray:
+        """(k,) m/s3 of pieces (k,)."""
+        rise = self.acceleration[k + 1] - self.acceleration[k]
+        return np.asarray(rise / (self.time[k + 1] - self.time[k]))
 
     def _piece(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number (k,) of the piece at times (k,), and the time (s) since it began; the end counts to the last."""
@@ -141,7 +153,8 @@ def from_acceleration(time: np.ndarray, acceleration: np.ndarray) -> Motion:
 
 
 def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) -> Motion:
-    """Parabolas through samples (n,) m/s that meet half-way between them, without acceleration at both ends.
+    """Parabolas through samples (n,) m/s that meet half-way between them, in equal steps; at both ends with the
+    acceleration of the cubic through the four samples there.
 
     line  takes off the straight line through the first and the last sample
     Raises ValueError where the ground moves at its start or end.
@@ -150,17 +163,27 @@ def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) ->
     knots = np.concatenate([[time[0]] * 3, 0.5 * (time[1:] + time[:-1]), [time[-1]] * 3])
     from scipy.interpolate import make_interp_spline
 
-    spline = make_interp_spline(time, velocity, k=2, t=knots, bc_type=([(1, 0.0)], [(1, 0.0)]))
+    ends = [_at_end(velocity, SLOPE), -_at_end(velocity[::-1], SLOPE)]
+    begun, ended = ([(1, slope / (time[1] - time[0]))] for slope in ends)
+    spline = make_interp_spline(time, velocity, k=2, t=knots, bc_type=(begun, ended))
     places = spline.antiderivative()
     at = np.concatenate([time[:1], knots[3:-3], time[-1:]])
     return Motion(at, spline(at, 1), spline(at), places(at) - places(at[0]))
 
 
-def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = False) -> Motion:
-    """A cubic spline with continuous acceleration through samples (n,) m, less the first: without velocity and
-    acceleration at both ends, for which the first and the last piece are made of two.
+def _at_end(values: np.ndarray, weights: tuple[tuple[float, ...], ...]) -> float:
+    """A derivative at the first of a few samples, per sample, by as many weights as there are samples; 0 of two."""
+    own = weights[min(len(values), 4) - 2]
+    return float(sum(weight * (one - values[0]) for weight, one in zip(own, values[1:], strict=False)))
 
-    line  takes off the straight line through the first and the last sample
+
+def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = False, slowly: bool = False) -> Motion:
+    """A cubic spline with continuous acceleration through samples (n,) m, less the first: without velocity at both
+    ends, for which the first and the last piece are made of two, and with the acceleration of the polynomial
+    through the four samples there.
+
+    line    takes off the straight line through the first and the last sample
+    slowly  without acceleration at both ends either; else steps are equal
     """
     displacement = displacement - displacement[0]
     if line:
@@ -171,10 +194,12 @@ def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = F
         halves = 0.5 * (time[:2] + time[1:3])[0], 0.5 * (time[-2] + time[-1])
         inner = np.concatenate([[halves[0]], time[1:-1], [halves[1]]])
     knots = np.concatenate([[time[0]] * 4, inner, [time[-1]] * 4])
-    rest = [(1, 0.0), (2, 0.0)]
+    both = displacement, displacement[::-1]
+    ends = [0.0 if slowly else _at_end(values, CURVATURE) / (time[1] - time[0]) ** 2 for values in both]
+    begun, ended = ([(1, 0.0), (2, acceleration)] for acceleration in ends)
     from scipy.interpolate import make_interp_spline
 
-    spline = make_interp_spline(time, displacement, k=3, t=knots, bc_type=(rest, rest))
+    spline = make_interp_spline(time, displacement, k=3, t=knots, bc_type=(begun, ended))
     at = np.concatenate([time[:1], inner, time[-1:]])
     return Motion(at, spline(at, 2), spline(at, 1), spline(at))
 
@@ -200,37 +225,85 @@ def from_samples(quantity: str, time: np.ndarray, values: np.ndarray, baseline: 
 
 def from_formula(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration: float) -> Motion:
     """Of a formula: values (k,) at times (k,) s, from 0 to `duration`. Raises ValueError."""
+    at = _finite(at)
     if quantity == "acceleration":
         time = _bent_times(at, duration)
         return from_acceleration(time, at(time))
     _require_rest(quantity, at, duration)
+    look = np.linspace(0.0, duration, 8 * FIRST_PIECES + 1)
+    odd = duration * _golden(FEW)
+    anywhere = duration * _golden(LOOKS)
+    values = at(anywhere)
+    most = float(np.abs(values).max())
     pieces, before = 2 * FIRST_PIECES, None
-    while True:
+    while pieces <= MOST_OF_SPLINES:
         time = np.linspace(0.0, duration, pieces + 1)
-        motion = MADE_OF[quantity](time, at(time))
-        look = np.linspace(0.0, duration, 8 * FIRST_PIECES + 1)
-        now = motion.acceleration_at(look)
-        if before is not None and np.abs(now - before).max() <= SETTLED * motion.peak_acceleration:
-            return motion
-        if pieces >= MOST_PIECES:
-            return motion
-        pieces, before = 2 * pieces, now
+        samples = at(time)
+        if np.abs(samples).max() >= 0.5 * most:  # else a period fits the samples
+            motion = MADE_OF[quantity](time, samples)
+            now = motion.acceleration_at(look), motion.acceleration_at(odd)
+            if before is not None:
+                changed = [np.abs(new - old).max() for new, old in zip(now, before, strict=True)]
+                settled = SETTLED * motion.peak_acceleration
+                if changed[0] <= settled and changed[1] <= MISSED * settled:
+                    made = motion.velocity_at if quantity == "velocity" else motion.displacement_at
+                    if np.abs(made(anywhere) + samples[0] - values).max() <= FOLLOWED * most:
+                        return motion
+            before = now
+        pieces *= 2
+    raise ValueError(
+        f"the {quantity} jumps, has corners, or swings too often for {MOST_OF_SPLINES} pieces: its acceleration depends "
+        "on their number; smooth it, shorten the duration, or give the acceleration"
+    )
+
+
+def _finite(at: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], np.ndarray]:
+    """A formula that raises ValueError where it has no value."""
+
+    def values(time: np.ndarray) -> np.ndarray:
+        with np.errstate(all="ignore"):
+            own = at(time)
+        if not np.isfinite(own).all():
+            raise ValueError(f"the expression has no finite value at t = {time[np.argmin(np.isfinite(own))]:.6g} s")
+        return own
+
+    return values
+
+
+def _golden(count: int) -> np.ndarray:
+    """(count,) places in (0, 1), spread evenly, which no period fits."""
+    return (GOLDEN * np.arange(1, count + 1)) % 1.0
 
 
 def _bent_times(at: Callable[[np.ndarray], np.ndarray], duration: float) -> np.ndarray:
-    """Times between which a formula is straight, each piece halved until it is."""
+    """Times between which a formula is straight, each piece halved until it is. Raises ValueError where they are too
+    many."""
     time = np.linspace(0.0, duration, FIRST_PIECES + 1)
     most = float(np.abs(at(np.linspace(0.0, duration, 4 * FIRST_PIECES * FIRST_PIECES + 1))).max())
-    for _ in range(MOST_HALVINGS):
+    anywhere = duration * np.sort(_golden(LOOKS))
+    values = at(anywhere)
+    if np.abs(values).max() > 1.001 * most:
+        most = float(np.abs(values).max())
+    shortest = 1.01 * duration / FIRST_PIECES / 2**MOST_HALVINGS
+    while True:
         value, step = at(time), np.diff(time)
         bent = np.zeros(len(step), dtype=bool)
         for share in (0.25, 0.5, 0.75):
             line = (1.0 - share) * value[:-1] + share * value[1:]
             bent |= np.abs(at(time[:-1] + share * step) - line) > STRAIGHT * most
-        if not bent.any() or len(time) > MOST_PIECES:
-            break
+        bent &= step > shortest
+        if not bent.any():
+            missed = np.abs(np.interp(anywhere, time, value) - values) > MISSED * STRAIGHT * most
+            bent[np.searchsorted(time, anywhere[missed]) - 1] = True
+            bent &= step > shortest
+        if not bent.any():
+            return time
+        if len(time) + bent.sum() > MOST_PIECES + 1:
+            raise ValueError(
+                f"the acceleration swings too often for {MOST_PIECES} straight pieces, which follow it within "
+                f"{STRAIGHT:g} of its peak; shorten the duration"
+            )
         time = np.sort(np.concatenate([time, (0.5 * (time[:-1] + time[1:]))[bent]]))
-    return time
 
 
 def _require_rest(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration: float) -> None:
@@ -240,10 +313,10 @@ def _require_rest(quantity: str, at: Callable[[np.ndarray], np.ndarray], duratio
     tiny = 1e-6 * duration
     times = np.array([0.0, tiny, duration - tiny, duration])
     place = at(times)
-    over = np.linspace(0.0, duration, 4 * FIRST_PIECES + 1)
-    mean = float(np.abs(np.diff(at(over))).max()) / (duration / (4 * FIRST_PIECES))
+    over = (1.0 - 1e-6) * duration * _golden(FEW)
+    most = float(np.abs(at(over + tiny) - at(over)).max()) / tiny
     for name, speed in (("starts", (place[1] - place[0]) / tiny), ("ends", (place[3] - place[2]) / tiny)):
-        if abs(speed) > 1e-2 * mean:
+        if abs(speed) > 1e-2 * most:
             raise ValueError(
                 f"the displacement {name} with {speed:.3g} m/s, and the ground is at rest before and after; let it "
                 f"rise and fall smoothly, or give its velocity or acceleration"

@@ -48,4 +48,4 @@ def accelerations(table: np.ndarray) -> tuple[float, float]:
     step = np.diff(time)
     speed = np.diff(place) / step
     second = 2.0 * np.diff(speed) / (step[1:] + step[:-1])
-    return from_displacement(time, place).peak_acceleration, float(np.abs(second).max(initial=0.0))
+    return from_displacement(time, place, slowly=True).peak_acceleration, float(np.abs(second).max(initial=0.0))
