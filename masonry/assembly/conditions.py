@@ -151,6 +151,7 @@ def _add_inertia(
 def _add_quiet(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
     """Dashpots on faces, and the stress of waves along each of their axes: their factors are velocities (m/s)."""
     conditions.quiet = Drag()
+    owner = np.full(specimen.blocks.face_block().size, -1)
     for k, quiet in enumerate(scene.quiet):
         where = f"quiet.{k}.on"
         chosen, faces = select(specimen, joints, quiet.on, where)
@@ -160,6 +161,12 @@ def _add_quiet(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout,
             raise SceneError(
                 f"{where} = '{quiet.on}': rigid blocks have no waves; give them kinematics 'tets' or 'affine'"
             )
+        if (twice := owner[faces].max(initial=-1)) >= 0:
+            raise SceneError(
+                f"{where} = '{quiet.on}': quiet.{twice} has some of these faces already, and dashpots would act twice; "
+                "keep one of them, or name other faces"
+            )
+        owner[faces] = k
         push = {kind: np.zeros((layout.rows(kind), DOFS[kind], 3)) for kind in KINDS}
         for face in faces.tolist():
             block = int(specimen.blocks.face_block()[face])

@@ -252,8 +252,8 @@ def from_formula(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration
             before = now
         pieces *= 2
     raise ValueError(
-        f"the {quantity} jumps, has corners, or swings too often for {MOST_OF_SPLINES} pieces: its acceleration depends "
-        "on their number; smooth it, shorten the duration, or give the acceleration"
+        f"the {quantity} jumps, has corners, or swings too often for {MOST_OF_SPLINES} pieces: its acceleration "
+        "depends on their number; smooth it, shorten the duration, or give the acceleration"
     )
 
 

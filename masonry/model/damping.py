@@ -14,7 +14,9 @@ LITTLE = 0.1
 """xi of the local damping, eq. (3), that acts besides on all motion where the expected motion is not damped."""
 PER_DECADE, BEYOND, ROUNDS = 1.5, 0.7, 6
 """Maxwell branches in a decade of frequencies, besides the first, and how far beyond the ends of their band the outer
-ones are: flat within 4 %."""
+ones are."""
+FLAT_WITHIN = 0.04
+"""Of the ratio, all over the band; where so many branches leave more, there is one more."""
 
 Damping = float | Guided | Dragged | None
 
@@ -124,8 +126,21 @@ def swing_of(keys: SwingKeys | None) -> Swing:
 
 def flat_branches(ratio: float, low: float, high: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Stiffnesses over the contacts' and relaxation times (s) of Maxwell's branches that damp by a ratio between two
-    frequencies (Hz): the least squares of all, scaled until the largest and the least there are as far from it."""
+    frequencies (Hz): the least squares of all, scaled until the largest and the least there are as far from it. Up to
+    5 % over three decades they are flat within FLAT_WITHIN; 10 % are so over a decade, within 13 % over three."""
     count = 1 + max(ceil(PER_DECADE * log10(high / low) - 0.25), 0)
+    fits = []
+    for more in (count, count + 1):
+        swing, off = _flat_swing(ratio, low, high, more)
+        fits.append((off, swing))
+        if off <= FLAT_WITHIN:
+            break
+    _, best = min(fits)
+    return best.stiffer, best.relaxation
+
+
+def _flat_swing(ratio: float, low: float, high: float, count: int) -> tuple[Swing, float]:
+    """So many branches, and by what share of the ratio they are off at most within the band."""
     frequencies = np.geomspace(low * BEYOND, high / BEYOND, count) if count > 1 else np.array([sqrt(low * high)])
     relaxation = 1.0 / (2.0 * pi * frequencies)
     band = np.geomspace(low, high, 8 * count + 1)
@@ -137,7 +152,7 @@ def flat_branches(ratio: float, low: float, high: float) -> tuple[tuple[float, .
         swing = Swing(stiffer=tuple(stiffer.tolist()), relaxation=tuple(relaxation.tolist()))
         ratios = [swing.ratio_at(frequency) for frequency in band]
         wanted *= ratio / sqrt(min(ratios) * max(ratios))
-    return swing.stiffer, swing.relaxation
+    return swing, max(abs(one / ratio - 1.0) for one in ratios)
 
 
 def damping_in_steps(damping: Damping, dt: float) -> Damping:

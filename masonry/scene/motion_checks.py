@@ -30,9 +30,11 @@ def require_fit(scene: Any) -> None:
     if scene.fill:
         _fill(scene)
     for k, bar in enumerate(scene.bar):
-        if bar.fixed_end is not None and scene.moved_grounds:
+        if bar.fixed_end is not None and scene.ground:
             raise KeyedError(
-                f"bar.{k}.fixed_end", "stays in space while [ground] moves the supports: let it end in a held block"
+                f"bar.{k}.fixed_end",
+                "stays in space, while [ground] moves all that supports hold: let it end in a block that a [[support]] "
+                "holds",
             )
     if scene.vehicle is not None and (scene.limit is None or scene.limit.pattern != "vehicle"):
         raise KeyedError("vehicle", "its axles are what a factor multiplies: give [limit] pattern = 'vehicle'")

@@ -70,7 +70,7 @@ def test_a_velocity_becomes_parabolas_with_continuous_acceleration():
 @pytest.mark.parametrize("count", [40, 41, 400])
 @pytest.mark.parametrize("end", [1.0, 1.3])
 def test_a_motion_that_begins_and_ends_with_an_acceleration_does_not_overshoot_it(count, end):
-    """v = A sin(w t) + B sin(2 w t) from rest to rest, and its integral as well: accelerations begin and end at once."""
+    """v = A sin(w t) + B sin(2 w t) from rest to rest, and its integral: accelerations begin and end at once."""
     t, w = np.linspace(0.0, end, count), 2.0 * np.pi / end
     speed = 0.3 * np.sin(w * t) + 0.1 * np.sin(2.0 * w * t)
     acceleration = lambda t: 0.3 * w * np.cos(w * t) + 0.2 * w * np.cos(2.0 * w * t)  # noqa: E731

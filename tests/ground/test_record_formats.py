@@ -7,8 +7,10 @@ import pytest
 
 from masonry import load
 from masonry.errors import SceneError
+from masonry.ground.ground_motion import from_displacement
 from masonry.ground.records.line_order import goes_on_from_line_to_line
 from masonry.ground.records.reading import read_record
+from masonry.laboratory.remarks.scenes.noisy_records import LIMIT, peak_of_every_second_sample
 from masonry.scene.tables.dynamics.ground import Ground
 from tests.ground.record_files import (
     COUNT,
@@ -139,27 +141,35 @@ def test_records_beside_each_other_are_told_from_one_that_goes_on(width):
 @pytest.mark.parametrize(
     ("text", "says"),
     [
+        ("NPTS= 3, DT= 1.2.3\n1.0 2.0 3.0", "'1.2.3' is no number of a file of PEER"),
+        ("3 . NPTS, DT\n1.0 2.0 3.0", "'3 . NPTS, DT' is no number of a file of PEER"),
         (of_knet("N-S", 8388608).replace("/8388608", "/0"), "'Scale Factor' is '0', which is no number above 0"),
         (of_knet("N-S", 8388608).replace("2000(gal)/8388608", "2000"), "'Scale Factor' is '2000', and not as"),
         (of_knet("N-S", 8388608).replace("200Hz", "fast"), "'Sampling Freq.Hz.' is 'fast'"),
-        (of_dyna("ACCELERATION", "cm/s^2").replace("0.005000", "1e-300"), "says 1e-300 s from sample to sample"),
+        (
+            of_dyna("ACCELERATION", "cm/s^2").replace("0.005000", "1e-300"),
+            "a step of 1e-300 s from sample to sample; allowed: 1e-09 to",
+        ),
         (of_dyna("ACCELERATION", "cm/s^2").replace("0.005000", "-0.005"), "'SAMPLING_INTERVAL_S' is '-0.005'"),
         (of_dyna("PSEUDO-ACCELERATION SPECTRUM", "cm/s^2"), "holds 'PSEUDO-ACCELERATION SPECTRUM', and no motion"),
         (of_dyna("VELOCITY", "cm/s"), "'cm/s' is the unit of a velocity, .* is quantity = 'velocity' meant"),
-        ("NPTS= 397, DT= 1e-300\n" + lines_of(IN_G, "%10.6f", 5), "says 1e-300 s from sample to sample"),
+        (
+            "NPTS= 397, DT= 1e-300\n" + lines_of(IN_G, "%10.6f", 5),
+            "a step of 1e-300 s from sample to sample; allowed: 1e-09 to",
+        ),
         ("NPTS= 397, DT= 0.005\nTime step: 0.01\n" + lines_of(IN_G, "%10.6f", 5), "says 0.005 and 0.01 s from sample"),
         ("NPTS= 394, DT= .005\n" + lines_of(IN_G, "%10.6f", 5), "says that it has 394 samples, and 397 numbers follow"),
         ("NPTS= 3, DT= .005\n1.0 2.0 1_0.0\n", "'1_0.0' is no number of a file of PEER"),
         ("NPTS= 3, DT= .005\n1.0 2.0 inf\n", "'inf' is no number of a file of PEER"),
         ("NPTS= 3, DT= .005\n1.0 2.0 " + "1" * 5000, "'1{40}' is no number of a file of PEER"),
-        ("NPTS= " + "1" * 5000 + ", DT= .005\n1.0 2.0 3.0", "has 1 samples; a record has 3 or more"),
+        ("NPTS= " + "1" * 5000 + ", DT= .005\n1.0 2.0 3.0", "NPTS= 1{34}. is no number of a file of PEER"),
         ('time (s),x (g)\n0.0,1\n0.1,"0.1\n0.2,1\n', "row 2 of the numbers: .*0.1' is not a finite number"),
         ("time (s),x (g)\n0.0,1\n0.1,1_0.0\n0.2,1\n", "row 2 of the numbers: '1_0.0' is not a finite number"),
         ("time (s),x (g)\n0.0,1\n0.1,Infinity\n0.2,1\n", "row 2 of the numbers: 'Infinity' is not a finite number"),
         ("time (s),x (g)\n0.0,1\n0.1,٣\n0.2,1\n", "row 2 of the numbers: '٣' is not a finite number"),
         ("time (s),x (g)\n0.0,1\n0.1," + "9" * 5000 + "\n0.2,1\n", "row 2 of the numbers: '9{40}' is not a finite"),
         ('time (s),x (g)\n0.0,1\n0.1,"' + "9" * 140_000 + '"\n0.2,1\n', "row 2 of the numbers: .* is not a finite"),
-        ("time (s),x (g)\n0.0,1\n1e-300,1\n2e-300,1\n", "its times say 1e-300 s from sample to sample"),
+        ("time (s),x (g)\n0.0,1\n1e-300,1\n2e-300,1\n", "a step of 1e-300 s from sample to sample; allowed"),
         ("1 2\n" * 3 + "a" * 300_000, "line 4: 300000 letters; at most 200000 are allowed"),
     ],
 )
@@ -185,3 +195,15 @@ def test_a_scene_shakes_with_the_file_of_a_network(tmp_path):
     motion = scene.ground[0].motions["x"]
     assert motion.acceleration == pytest.approx(SHOCK - SHOCK.mean(), abs=1e-4)
     assert motion.duration == pytest.approx(STEP * (COUNT - 1)) and GAL.max() > 100.0
+
+
+@pytest.mark.parametrize(
+    ("digit", "rate", "told"), [(1e-5, 1000.0, True), (1e-5, 100.0, False), (1e-8, 1000.0, False), (0.0, 60.0, False)]
+)
+def test_a_displacement_whose_differences_are_noise_is_told(digit, rate, told):
+    """0.01 mm at 1 kHz: 0.6 g are read as several g; a digit less or a tenth of the rate leave the motion."""
+    time = np.arange(round(2.0 * rate) + 1) / rate
+    place = 0.02 * (1.0 - np.cos(2.0 * np.pi * np.minimum(time, 1.0))) ** 2 * (1.0 + 0.3 * time)
+    motion = from_displacement(time, np.round(place / digit) * digit if digit else place)
+    ratio = motion.peak_acceleration / peak_of_every_second_sample(motion, "displacement", rate)
+    assert (ratio > LIMIT) == told

@@ -26,6 +26,7 @@ from masonry.laboratory.remarks.scenes import (
     dilation,
     locking,
     mesh_inertia,
+    noisy_records,
     odd_records,
     sharp_edges,
     tension,
@@ -264,6 +265,19 @@ def test_records_that_shake_as_no_earthquake_does_are_told_unless_they_are_scale
     assert said(odd_records.doubts(assembly), "which is none of an earthquake") == bool(told)
     ground.peak = 4.0
     assert not odd_records.doubts(assembly)
+
+
+@pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
+def test_records_whose_acceleration_is_noise_are_told_at_a_peak_of_so_much_more_than_by_every_second_sample(
+    share, told, monkeypatch
+):
+    monkeypatch.setattr(noisy_records, "peak_of_every_second_sample", lambda motion, quantity, rate: 2.0)
+    ground = SimpleNamespace(record="own.csv", quantity="displacement", rate=100.0, PLACE="ground")
+    ground.motions = {"y": SimpleNamespace(peak_acceleration=share * 1.15 * 2.0)}
+    assembly = SimpleNamespace(scene=SimpleNamespace(ground=(ground,), waves=()))
+    assert said(noisy_records.doubts(assembly), "along y has a peak acceleration of 0.2.* differences of noise") == told
+    ground.quantity = "acceleration"
+    assert not noisy_records.doubts(assembly)
 
 
 @pytest.mark.parametrize(("blocks", "others"), [(1, ""), (3, ", and 2 more later")])

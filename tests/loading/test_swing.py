@@ -6,6 +6,7 @@ import pytest
 from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory import laboratory
 from masonry.laboratory.summary.free_swing import swing
+from masonry.model.damping import Swing, flat_branches
 from tests.scenes import load
 
 SCENE = """
@@ -80,6 +81,25 @@ def test_what_damps_after_the_settling_is_what_the_scene_says(damping, ratio, to
         assert measured == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
         assert summary["free_swings"]["z"]["ratio"] == pytest.approx(ratio, abs=max(tolerance, 2e-5))
         assert summary["free_swings"]["z"]["frequency_hz"] == pytest.approx(HZ, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "wide", "within"),
+    [
+        (0.01, 6.0, 0.04),
+        (0.04, 6.0, 0.04),
+        (0.05, 5.5, 0.04),
+        (0.05, 7.1, 0.04),
+        (0.03, 33.0, 0.04),
+        (0.05, 900.0, 0.04),
+    ]
+    + [(0.1, 9.0, 0.04), (0.1, 100.0, 0.13)],
+)
+def test_maxwell_branches_damp_all_over_their_band_as_they_are_asked_to(ratio, wide, within):
+    stiffer, relaxation = flat_branches(ratio, 2.0, 2.0 * wide)
+    swing = Swing(stiffer=stiffer, relaxation=relaxation)
+    ratios = [swing.ratio_at(frequency) for frequency in np.geomspace(2.0, 2.0 * wide, 60)]
+    assert np.abs(np.array(ratios) / ratio - 1.0).max() < 1.01 * within
 
 
 def test_what_does_not_swing_has_no_ratio():

@@ -53,6 +53,15 @@ def test_a_face_has_the_moments_of_its_area():
     assert drag == pytest.approx(drag.T) and np.linalg.eigvalsh(drag).min() > -1e-9 * drag.max()
 
 
+@pytest.mark.parametrize("second", ["block 1.x-", "x = 0 mm"])
+def test_a_face_that_two_quiet_boundaries_name_is_refused(second):
+    """Its dashpots would act twice, and send a third of a wave back: (2 Z - Z)/(2 Z + Z)."""
+    place = boxes(STACK)[1] | {"origin": ["0 mm", *boxes(STACK)[1]["origin"][1:]]}
+    twice = [{"on": "block 1.x+"}, {"on": "block 1.x-"}, {"on": second, "p_speed": "100 m/s"}]
+    with pytest.raises(SceneError, match=rf"quiet\.2\.on = '{second}': quiet\.1 has some of these faces already"):
+        assemble(load("stack", keys("affine", twice, **BLOCK | {"specimen.box": [place]})))
+
+
 @pytest.mark.parametrize("kinematics", ["affine", "tets"])
 def test_a_wave_through_the_foot_of_a_stack_brings_it_to_rest_elsewhere_and_the_ledger_closes(kinematics):
     """The stack ends where the wave has put it: twice its velocity at a free end, so twice its displacement. What bends

@@ -11,8 +11,8 @@ from masonry.ground.records.motion_units import factor_of
 
 FEWEST = 3
 """Samples of a record."""
-SHORTEST, LONGEST = 1e-6, 1e3
-"""s, from sample to sample."""
+SHORTEST_STEP, LONGEST_STEP = 1e-9, 1e5
+"""s, from sample to sample: far outside of what instruments take."""
 ODD_STEP = 1e-3
 """Of the step: how far a time may lie from equal steps, and a step from one that the file or its times say."""
 ROUNDED, MOST_ROUNDED = 0.51, 0.2
@@ -49,7 +49,7 @@ class RecordFile:
         for k, name in enumerate(self.columns):
             if word == name:
                 return k
-        alike = [k for k, name in enumerate(plain) if name == _plain(word)]
+        alike = [k for k, name in enumerate(plain) if name in (_plain(word), word.strip().lower())]
         if len(alike) > 1:
             raise SceneError(f"{self.name} has {len(alike)} columns '{visible(word[:60])}': give each its own name")
         if alike:
@@ -71,7 +71,7 @@ class RecordFile:
         """(n,) s, from 0 on, in equal steps; of the first column unless another is named or the step (s) is known.
         SceneError otherwise, and where file, times and step contradict each other."""
         if self.step is not None:
-            _require_step(f"{self.name} says", self.step)
+            _require_step(self.name, self.step)
             self._require_alike(self.step, step)
         known = self.step if step is None else step
         column = self.times_in(word, step)
@@ -81,7 +81,7 @@ class RecordFile:
             time = self._equal_steps(self.values[:, column])
             self._require_alike(float(time[1]), known)
             return time
-        _require_step("step:", known)
+        _require_step("step", known)
         if column is not None:
             self._require_alike(float(self._equal_steps(self.values[:, column])[1]), known)
         return np.asarray(known * np.arange(len(self.values)))
@@ -123,7 +123,7 @@ class RecordFile:
                 f"{time[k]:.10g} s; if none has times, {NO_TIMES}"
             )
         step = (time[-1] - time[0]) / (len(time) - 1)
-        _require_step(f"{self.name}: its times say", float(step))
+        _require_step(self.name, float(step))
         equal = step * np.arange(len(time))
         odd = np.abs(time - time[0] - equal) > max(
             ODD_STEP * step, min(ROUNDED * _last_digit(time), MOST_ROUNDED * step)
@@ -163,9 +163,9 @@ class RecordFile:
 
 
 def _require_step(where: str, step: float) -> None:
-    if not SHORTEST <= step <= LONGEST:
+    if not SHORTEST_STEP <= step <= LONGEST_STEP:
         raise SceneError(
-            f"{where} {step:g} s from sample to sample; a record has between {SHORTEST:g} and {LONGEST:g} s"
+            f"{where}: a step of {step:.3g} s from sample to sample; allowed: {SHORTEST_STEP:g} to {LONGEST_STEP:g} s"
         )
 
 

@@ -135,7 +135,7 @@ def histories(draw: Draw) -> Attempt:
 
 RECORD = b"# a record\n# Time (s), North (g), Up (cm/s2)\n0.0,0.01,1\n0.01,-0.2,2\n0.02,0.3,-1\n0.03,0,0.5\n"
 OTHER_RECORDS = (
-    b"A town\nUNITS OF G\nNPTS= 7, DT= .0100 SEC\n  .1E-01 -.2D-01 0.3E+00\n -.1E+00-.2E+00 0.1E-01\n 0.0\n*** End ***\n",
+    b"A town\nUNITS OF G\nNPTS= 7, DT= .0100 SEC\n  .1E-01 -.2D-01 0.3E+00\n -.1E+00-.2E+00 0.1E-01\n 0.0\n*** End\n",
     b"Sampling Freq(Hz) 100Hz\nDuration Time(s)  0.08\nScale Factor      2000(gal)/8388608\nMemo.             \n"
     b"     4321     5301     8237    13113    19907    28584    39101    51406\n",
     b"SAMPLING_INTERVAL_S: 0.01\nNDATA: 4\nUNITS: cm/s^2\nDATA_TYPE: ACCELERATION\nUSER5:\n1.0\n-2.0\n3.0\n0.5\n",
