@@ -30,8 +30,8 @@ def doubts(assembly: Assembly) -> list[Doubt]:
             second = peak_of_every_second_sample(motion, ground.quantity, ground.rate) / GRAVITY
             if peak > LIMIT * second:
                 sentence = (
-                    f"the {ground.quantity} of {ground.PLACE} along {axis} has a peak acceleration of {peak:.3g} g, and "
-                    f"of {second:.3g} g by every second sample: it is made of differences of noise"
+                    f"the {ground.quantity} of {ground.PLACE} along {axis} accelerates by up to {peak:.3g} g, and by "
+                    f"{second:.3g} g with every second sample: its differences are noise"
                 )
                 advice = "filter the record, take fewer samples of it, or give its acceleration"
                 raised.append(Doubt("noisy_record", peak / second, LIMIT, sentence, advice))
