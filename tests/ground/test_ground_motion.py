@@ -104,6 +104,10 @@ def test_a_formula_that_lasts_long_is_followed_whatever_its_period_fits(quantity
 def test_a_pulse_that_is_short_beside_its_duration_is_seen():
     motion = from_formula("acceleration", lambda t: np.clip(1.0 - np.abs(t - 41.2137) / 0.01, 0.0, 1.0), 100.0)
     assert motion.residual_velocity == pytest.approx(0.01, rel=1e-4)
+    bell = lambda t: np.where(np.abs(t - 41.2137) < 0.15, 0.5 + 0.5 * np.cos((t - 41.2137) / 0.15 * np.pi), 0.0)  # noqa: E731
+    motion = from_formula("velocity", bell, 100.0)
+    assert motion.residual_displacement == pytest.approx(0.15, rel=1e-3)
+    assert motion.peak_acceleration == pytest.approx(0.5 * np.pi / 0.15, rel=1e-2)
 
 
 @pytest.mark.parametrize(
@@ -118,7 +122,7 @@ def test_a_pulse_that_is_short_beside_its_duration_is_seen():
     ],
 )
 def test_a_formula_that_cannot_be_followed_is_refused(quantity, at, says, monkeypatch):
-    monkeypatch.setattr(ground_motion, "MOST_OF_SPLINES", 2**14)
+    monkeypatch.setattr(ground_motion, "MOST_OF_SPLINES", 2**19)
     monkeypatch.setattr(ground_motion, "MOST_PIECES", 2**16)
     with pytest.raises(ValueError, match=says):
         from_formula(quantity, at, 10.0 if quantity != "acceleration" else 20.0)

@@ -158,6 +158,7 @@ def test_records_beside_each_other_are_told_from_one_that_goes_on(width):
             "a step of 1e-300 s from sample to",
         ),
         ("NPTS= 397, DT= 0.005\nTime step: 0.01\n" + lines_of(IN_G, "%10.6f", 5), "says 0.005 and 0.01 s from sample"),
+        ("NPTS= 396, DT= .005\n" + lines_of(IN_G, "%10.6f", 5), "says that it has 396 samples, and 397 numbers follow"),
         ("NPTS= 394, DT= .005\n" + lines_of(IN_G, "%10.6f", 5), "says that it has 394 samples, and 397 numbers follow"),
         ("NPTS= 3, DT= .005\n1.0 2.0 1_0.0\n", "'1_0.0' is no number of a file of PEER"),
         ("NPTS= 3, DT= .005\n1.0 2.0 inf\n", "'inf' is no number of a file of PEER"),
