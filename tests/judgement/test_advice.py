@@ -232,6 +232,7 @@ OTHERS = {
     "damping_before_fall": "masonry sensitivity",
     "branch_balance": "a column of the results",
     "blow": "the rows of the results",
+    "noisy_record": "the record itself",
 }
 """Advice that changes nothing of a scene."""
 
