@@ -87,6 +87,8 @@ def convert(value: Any, kind: str, name: str, allowed: str = "(-inf, inf)") -> f
 
 def _plain(value: str | float, kind: str, need: str) -> float:
     try:
+        if isinstance(value, str) and not is_plain(value):
+            raise ValueError
         if kind == "integer" and float(value).is_integer():
             return int(value) if isinstance(value, int) else int(float(value))
         if kind == "number":
@@ -115,6 +117,11 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
         return float(Fraction(number) * factor)
     except OverflowError:
         return math.inf
+
+
+def is_plain(text: str) -> bool:
+    """Whether nothing stands between digits, and no digits of other scripts, which Python takes for numbers."""
+    return text.isascii() and "_" not in text
 
 
 def is_unit_weight(value: Any) -> bool:
