@@ -10,7 +10,7 @@ from masonry.rows.columns import BAR_UNITS, FACTOR, GROUND, INPUT_ENERGY, OFF_BA
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.added_mass import AddedMass
-from masonry.scene.tables.dynamics.ground import Ground, as_tables, as_written
+from masonry.scene.tables.dynamics.ground import GivenMotion, Ground, as_tables, as_written
 from masonry.scene.tables.dynamics.quiet_boundary import QuietBoundary
 from masonry.scene.tables.dynamics.swing import DampingTable
 from masonry.scene.tables.gauge import Curve, GaugeTable
@@ -157,7 +157,7 @@ class SceneData(Table):
         return self.damping is not None or bool(self.ground) or bool(self.quiet)
 
     @property
-    def waves(self) -> tuple[Ground, ...]:
+    def waves(self) -> tuple[GivenMotion, ...]:
         """Motions that come in through quiet boundaries."""
         return tuple(quiet.wave for quiet in self.quiet if quiet.wave is not None)
 

@@ -15,7 +15,7 @@ from masonry.sweeps.read import Sweep, Times
 
 MOST = 5
 """Things that are wrong which one message tells."""
-RECORD = re.compile(r"ground\.(\d+\.)?record")
+RECORD = re.compile(r"(ground\.(\d+\.)?|quiet\.\d+\.wave\.)record|curve\.measured|specimen\.path")
 """Keys whose value is a file."""
 
 
@@ -142,7 +142,7 @@ def _at(scene: dict[str, Any], key: str, of: str) -> Any:
         return scene[of]
     at: Any = scene
     for part in split_key(of):
-        if isinstance(at, list) and part.isdecimal() and int(part) < len(at):
+        if isinstance(at, list) and part.isdecimal() and len(part) < 9 and int(part) < len(at):
             at = at[int(part)]
         elif isinstance(at, dict) and part in at:
             at = at[part]

@@ -26,6 +26,7 @@ from verification import scene_runs
 
 SHORT = {"settle": 200, "displacement": "0.03 mm"}
 WAVE = {"on": "top.z+", "stress": {"z": "-0.5 MPa"}, "history": "1 + 0.2 * sin(40 pi t / 1 s)", "duration": "1 s"}
+INCOMING = {"x": "1 mm/s * sin(2 pi t / 3 ms)", "quantity": "velocity", "duration": "6 ms"}
 ELASTIC = {"material.units.young_modulus": "10 GPa", "material.units.poisson_ratio": 0.2, "solver.rows": 30}
 TURNS = {"drive.accuracy": None, "drive.history": ["0.1 mm", "0 mm", "0.1 mm"], "drive.steps": 900}
 LED = {
@@ -97,6 +98,9 @@ SCENES = {
     "blocks that topple and are found anew": lambda: toppling(duration=0.4).with_({"solver.rows": 30}),
     "a wave that leaves through a quiet boundary": lambda: scene_runs.load(
         "stack", {"kinematics": "affine", "quiet": [{"on": "block 1.z+"}], **ELASTIC}
+    ),
+    "a wave that comes in through a quiet boundary": lambda: scene_runs.load(
+        "stack", {"kinematics": "affine", "quiet": [{"on": "block 1.x-", "wave": INCOMING}], **ELASTIC}
     ),
     "a joint that crushes": lambda: load_scene("couplet", CRUSHES),
     "bonds that turn with their blocks, and crush": lambda: load_scene("couplet", CRUSHES | {"displacements": "large"}),

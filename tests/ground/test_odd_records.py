@@ -6,7 +6,12 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.ground.records.reading import read_record
+from masonry.laboratory.summary.provenance import provenance_of
+from masonry.scene import load, to_toml
+from masonry.sweeps.job import Job
+from tests.ground.test_ground_keys import BLOCK, scene
 
+ELASTIC = {"young_modulus": "1 GPa", "poisson_ratio": 0.2}
 SIZE = 100_000
 """Letters of a line."""
 ROWS = "0.00,0.1\n0.01,-0.2\n0.02,0.3\n"
@@ -107,3 +112,42 @@ def test_a_step_that_no_instrument_takes_is_refused(tmp_path, head, step):
         own.time(None, step)
     with pytest.raises(SceneError, match="from sample to sample; allowed"):
         record(tmp_path, "0,0.1\n1e-300,0.2\n2e-300,0.3\n").time(None)
+
+
+@pytest.mark.parametrize("formula", ["0.3 g / 0", "0.3 g * 1 s / t", "0.3 g / (t - 2 s) * 1 s", "0.3 g * 1e9 * 1e300"])
+def test_a_formula_without_a_finite_value_is_refused_with_the_time(tmp_path, formula):
+    with pytest.raises(SceneError, match=r"ground\.x: the expression has no finite value at t = [02] s|at most 1e\+06"):
+        _ = scene(tmp_path, {"x": formula, "duration": "4 s"}).ground[0].motions
+
+
+def test_a_record_that_no_ground_follows_is_refused(tmp_path):
+    file = tmp_path / "own.csv"
+    for value in ("1e308", "1e9"):
+        file.write_text(f"time (s),a (g)\n0.0,0.1\n0.1,{value}\n0.2,0.1\n0.3,0\n")
+        with pytest.raises(SceneError, match=r"ground: it accelerates by .* at most 1e\+06 are allowed"):
+            _ = scene(tmp_path, {"record": str(file), "x": "a"}).ground[0].motions
+    file.write_text("time (s),v (m/s)\n0.0,0.0\n0.1,1e308\n0.2,-1e308\n0.3,0\n")
+    with pytest.raises(SceneError, match="ground"):
+        _ = scene(tmp_path, {"record": str(file), "x": "v", "quantity": "velocity"}).ground[0].motions
+
+
+def test_a_run_is_told_from_one_with_other_files_whichever_table_names_them(tmp_path):
+    """The record of the ground, that of a wave which comes in, and the curve measured beside a run."""
+    file, plain = tmp_path / "own.csv", {"x": "a", "record": str(tmp_path / "own.csv")}
+    quiet = {"kinematics": "affine", "quiet": [{"on": "block.x-"}, {"on": "block.x+", "wave": plain}]}
+    rigid = {f"material.{group}.{key}": value for group in ("units", "base") for key, value in ELASTIC.items()}
+    drive = {"on": "block", "direction": "x", "displacement": "1 mm"}
+    measured = {"measured": str(file), "measured_columns": ["1", "2"], "measured_units": ["mm", "kN"]}
+    tables = [{"ground": plain}, quiet | rigid, {"drive": drive, "curve": measured}, {}]
+    file.write_text("time (s),a (g)\n0.0,0.1\n0.1,0.2\n0.2,0.1\n0.3,0\n")
+    (tmp_path / "block.toml").write_text(BLOCK)
+    made = [load(tmp_path / "block.toml", one) for one in tables]
+    before = [provenance_of(to_toml(one)) for one in made]
+    keys = [Job(one).key() for one in made]
+    assert [one for one in before if "its records" in one] == before[:3]
+    file.write_text("time (s),a (g)\n0.0,0.1\n0.1,0.2\n0.2,0.3\n0.3,0\n")
+    for one, was, key in zip(made[:3], before, keys, strict=False):
+        now = provenance_of(to_toml(one))
+        assert {name for name in now if now[name] != was[name]} == {"its records"}
+        assert Job(one).key() != key
+    assert provenance_of(to_toml(made[3])) == before[3]

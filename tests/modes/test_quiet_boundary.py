@@ -133,7 +133,7 @@ def test_the_impedance_of_what_goes_on_may_be_another():
         ("affine", [{"on": "block 4.z+"}], {"solver.masses": "scaled"}, "real time|real masses|needs solver.masses"),
         ("affine", [{"on": "block 4.z+"}], {"gravity": {"z": "-9.81 m/s^2"}, "support": []}, "bears no weight"),
         ("affine", [{"on": "block 4.z+"}], {"ground": {"x": "0.1 g", "duration": "1 s"}}, "has no waves"),
-        ("affine", [{"on": "block 4.z+", "wave": WAVE | {"on": "foot"}}], {}, "leave it out"),
+        ("affine", [{"on": "block 4.z+", "wave": WAVE | {"on": "foot"}}], {}, "wave.on: unknown key; allowed: record"),
         ("affine", [{"on": "block 4.z+", "wave": {"x": "0.1 g"}}], {}, "duration"),
     ],
 )

@@ -12,6 +12,22 @@ from tests.sweep.samples import text
 STRENGTH, COHESION = "contact.unit_unit.tensile_strength", "contact.unit_unit.cohesion"
 ENERGY, FRICTION = "contact.unit_unit.fracture_energy_mode_1", "contact.unit_unit.tan_friction_angle"
 
+WAVE = "waves.toml"
+WAVE_SCENE = """
+base = "couplet"
+confinement = "0 MPa"
+kinematics = "affine"
+drive.steps = 100
+solver.masses = "real"
+[[quiet]]
+on = "top plate.z+"
+[quiet.wave]
+record = "pushed.csv"
+unit = "mm/s"
+quantity = "velocity"
+x = "2"
+"""
+
 
 @pytest.fixture
 def sweep(tmp_path):
@@ -154,3 +170,17 @@ def test_a_scene_beside_the_sweep_file_is_found_from_anywhere(tmp_path, monkeypa
     monkeypatch.chdir("/")
     (run,) = plan(read(path))
     assert 'law = "brittle"' in run.job.resolved
+
+
+def test_every_file_that_a_sweep_sets_is_found_beside_its_file_from_anywhere(tmp_path, monkeypatch):
+    (tmp_path / "pushed.csv").write_text("0,1\n1,2\n2,4\n", encoding="utf-8")
+    (tmp_path / "wave.csv").write_text("0,0\n1,2\n2,0\n", encoding="utf-8")
+    units = '"curve.measured_units" = ["mm", "kN"]\n'
+    files = {"curve.measured": ("couplet", "pushed.csv", units), "quiet.0.wave.record": (WAVE, "wave.csv", "")}
+    (tmp_path / "waves.toml").write_text(WAVE_SCENE, encoding="utf-8")
+    monkeypatch.chdir("/")
+    for key, (scene, file, settings) in files.items():
+        path = tmp_path / "sweep.toml"
+        path.write_text(f'scene = "{scene}"\n[settings]\n"law" = "elastic"\n{settings}[grid]\n"{key}" = ["{file}"]')
+        (run,) = plan(read(path))
+        assert f'"{tmp_path / file}"' in run.job.resolved and run.values[key] == file

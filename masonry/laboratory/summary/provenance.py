@@ -49,11 +49,16 @@ def file_of_blocks(toml: str) -> bytes:
 
 
 def files_of_records(toml: str) -> bytes:
-    """Hash of what stands in the records that shake a scene; nothing where there are none to read."""
-    ground = tomllib.loads(toml).get("ground", ())
-    tables = [ground] if isinstance(ground, dict) else ground
+    """Hash of what stands in the records that shake a scene, of waves that come into it, and of the curve measured
+    beside it; nothing where there are none to read."""
+    scene = tomllib.loads(toml)
+    ground = scene.get("ground", ())
+    tables = [ground] if isinstance(ground, dict) else [*ground]
+    tables += [quiet["wave"] for quiet in scene.get("quiet", ()) if "wave" in quiet]
+    paths = [table["record"] for table in tables if table.get("record")]
+    paths += [measured] if (measured := scene.get("curve", {}).get("measured")) else []
     hashes = []
-    for path in [table["record"] for table in tables if table.get("record")]:
+    for path in paths:
         try:
             hashes.append(hashlib.sha256(Path(path).read_bytes()).digest())
         except OSError:

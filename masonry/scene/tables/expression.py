@@ -14,6 +14,8 @@ from masonry.quantity import GRAVITY, convert
 
 LONGEST, DEEPEST = 400, 20
 """Characters of an expression, and parentheses within each other, at most."""
+LOOKS = 20_001
+"""Times at which an expression is looked at before it is used."""
 UNITS = {"length": (1, 0), "time": (0, 1), "angle": (0, 0)}
 """Kinds of quantities that may occur: powers of length and time."""
 MOTIONS = {"displacement": (1, 0), "velocity": (1, -1), "acceleration": (1, -2)}
@@ -67,6 +69,16 @@ def read(text: str, kind: str) -> Callable[[Values], Values]:
         is_a = WORDS.get(term.powers, f"in m^{term.powers[0]} s^{term.powers[1]}")
         raise ValueError(f"the expression is {is_a}, and must be {WORDS[wanted]}")
     return term.at
+
+
+def require_finite(at: Callable[[Values], Values], duration: float) -> Values:
+    """The values at LOOKS times from 0 to `duration` (s); ValueError where one of them is not finite."""
+    with np.errstate(all="ignore"):
+        values = at(np.linspace(0.0, duration, LOOKS))
+    if not (finite := np.isfinite(values)).all():
+        when = duration * int(np.argmin(finite)) / (LOOKS - 1)
+        raise ValueError(f"the expression has no finite value at t = {when:g} s")
+    return values
 
 
 class _Reader:

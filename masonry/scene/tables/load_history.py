@@ -8,18 +8,21 @@ import numpy as np
 
 from masonry.quantity import KINDS, convert
 from masonry.scene.tables import expression
+from masonry.scene.tables.expression import LOOKS
 from masonry.scene.tables.types import KeyedError
 
 MOST_POINTS = 10_000
 """Turning points, or rows of a table, at most."""
-LOOKS, CLOSER = 20_001, 6
-"""Times at which an expression is looked at for its turning points; how often each is then looked at more closely."""
+CLOSER = 6
+"""How often an expression is looked at more closely around a turning point."""
 START = 1e-9
 """Share of the farthest displacement by which a history may miss 0 at its start."""
 FLAT = 1e-12
 """Changes below this share of the farthest displacement are rounding, not motion."""
 MOST_DISPLACEMENT = 1e5
 """m, farthest place of a drive."""
+MOST_SHARE = 1e6
+"""Of a load, largest share."""
 FARTHEST = {"length": "[-1e5, 1e5]", "number": "[-1e6, 1e6]"}
 FORMS = {
     "length": "a list of turning points, ['20 um', '-8 um'], a list of times and places, [['0 s', '0 mm'], "
@@ -136,11 +139,12 @@ def timed(history: History, duration: float | None, kind: str) -> Timed:
     if duration is None:
         raise KeyedError("duration", "missing; an expression needs it, for example duration = '4 s'")
     path = Timed(duration, expression.read(history, kind))
-    with np.errstate(all="ignore"):
-        finite = np.isfinite(path.at(np.linspace(0.0, duration, LOOKS)))
-    if not finite.all():
-        when = duration * int(np.argmin(finite)) / (LOOKS - 1)
-        raise KeyedError("history", f"the expression has no finite value at t = {when:g} s")
+    try:
+        most = float(np.abs(expression.require_finite(path.at, duration)).max())
+    except ValueError as error:
+        raise KeyedError("history", str(error)) from None
+    if kind == "number" and most > MOST_SHARE:
+        raise KeyedError("history", f"the expression reaches {most:.2g}; shares of at most {MOST_SHARE:g} are allowed")
     return path
 
 

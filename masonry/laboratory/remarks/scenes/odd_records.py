@@ -16,7 +16,7 @@ WEAKEST, STRONGEST = 0.001, 5.0
 def doubts(assembly: Assembly) -> list[Doubt]:
     """One for each file."""
     raised = []
-    for ground in assembly.scene.ground:
+    for ground in (*assembly.scene.ground, *assembly.scene.waves):
         if ground.record is None or ground.peak is not None:
             continue
         largest = max(motion.peak_acceleration for motion in ground.motions.values())

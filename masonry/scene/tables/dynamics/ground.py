@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, create_model, model_validator
@@ -19,23 +19,12 @@ from masonry.scene.tables.gravity_and_floor import with_unit
 from masonry.scene.tables.types import Duration, Given, KeyedError, Selector, Table
 
 AXES = "xyz"
-STILL = 1e-9
-"""m/s2: ground that accelerates by less does not shake."""
+STILL, MOST = 1e-9, 1e6
+"""m/s2: ground that accelerates by less does not shake, and none accelerates by more."""
 
 
-if TYPE_CHECKING:
-    _HasAs = Table
-else:  # "as" is a word of Python's own
-    _HasAs = create_model("_HasAs", __base__=Table, **{"as": (Literal["inertia", "base"], "inertia")})
-
-
-class Ground(_HasAs):
-    """A motion that supports and floor share: columns of a `record`, records `made` by seed, or formulas of t for a
-    `duration`.
-
-    as  "inertia": the frame of the ground, in which forces of inertia act; "base": supports and floor are moved
-    on  selector of the support (or "floor") that moves so, where several move apart
-    """
+class GivenMotion(Table):
+    """A motion along x, y, z: columns of a `record`, records `made` by seed, or formulas of t for a `duration`."""
 
     PLACE: ClassVar[str] = "ground"
 
@@ -53,12 +42,6 @@ class Ground(_HasAs):
     peak: AccelerationInG | None = None
     begin: Annotated[float, Given("time", "[0, 1e6]"), with_unit("time")] = 0.0
     baseline: Literal["none", "linear"] = "none"
-    on: Selector | None = None
-
-    @property
-    def moves_supports(self) -> bool:
-        """Whether supports and floor are moved; else forces of inertia act in the frame of the ground."""
-        return bool(getattr(self, "as") == "base")
 
     @property
     def components(self) -> dict[str, str]:
@@ -84,7 +67,7 @@ class Ground(_HasAs):
         return self.begin + max(motion.duration for motion in self.motions.values())
 
     @model_validator(mode="after")
-    def _has_one_source(self) -> "Ground":
+    def _has_one_source(self) -> Self:
         if not self.components:
             raise KeyedError(
                 "x",
@@ -124,6 +107,29 @@ class Ground(_HasAs):
                 raise KeyedError(key, f"belongs to a record; a formula has units of its own, {axis} = '0.4 g * ...'")
         if self.duration is None:
             raise KeyedError("duration", "missing; a formula needs it, for example '10 s'; or give record, a CSV file")
+        for axis, text in self.components.items():
+            _checked(axis, expression.require_finite, expression.read(text, self.quantity), self.duration)
+
+
+if TYPE_CHECKING:
+    _HasAs = GivenMotion
+else:  # "as" is a word of Python's own
+    _HasAs = create_model("_HasAs", __base__=GivenMotion, **{"as": (Literal["inertia", "base"], "inertia")})
+
+
+class Ground(_HasAs):
+    """A motion that supports and floor share.
+
+    as  "inertia": the frame of the ground, in which forces of inertia act; "base": supports and floor are moved
+    on  selector of the support (or "floor") that moves so, where several move apart
+    """
+
+    on: Selector | None = None
+
+    @property
+    def moves_supports(self) -> bool:
+        """Whether supports and floor are moved; else forces of inertia act in the frame of the ground."""
+        return bool(getattr(self, "as") == "base")
 
 
 def as_tables(value: Any) -> Any:
@@ -159,17 +165,22 @@ def _record(record: str, stamp: int | None) -> RecordFile:
 
 
 @lru_cache(maxsize=16)
-def _motions(ground: Ground, stamp: int | None) -> dict[str, Motion]:
+def _motions(ground: GivenMotion, stamp: int | None) -> dict[str, Motion]:
     """See Ground.motions."""
     motions = {axis: _component(ground, axis, word, stamp) for axis, word in ground.components.items()}
-    most = max(motion.peak_acceleration for motion in motions.values())
+    peaks = [motion.peak_acceleration for motion in motions.values()]
+    most = max(peaks) if np.isfinite(peaks).all() else np.inf
     if most < STILL:
         raise SceneError(f"{ground.PLACE}: it never accelerates; is this the right column?")
     scale = ground.peak / most if ground.peak is not None else 1.0 if ground.scale is None else ground.scale
+    if not abs(scale) * most <= MOST:
+        raise SceneError(
+            f"{ground.PLACE}: it accelerates by {abs(scale) * most:.3g} m/s^2; at most {MOST:g} are allowed"
+        )
     return {axis: motion.scaled(scale) for axis, motion in motions.items()}
 
 
-def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motion:
+def _component(ground: GivenMotion, axis: str, word: str, stamp: int | None) -> Motion:
     """One component as it is given, with its baseline."""
     try:
         if ground.made is not None:
@@ -179,7 +190,8 @@ def _component(ground: Ground, axis: str, word: str, stamp: int | None) -> Motio
             file = _record(ground.record, stamp)
             if file.times_in(ground.time, ground.step) == file.column(word):
                 raise SceneError(f"{axis} = '{word[:60]}' is the column of the times: name one of a motion")
-            values = file.samples(word, ground.quantity, ground.unit)
+            with np.errstate(over="ignore"):  # what is not finite is told below
+                values = file.samples(word, ground.quantity, ground.unit)
             return from_samples(ground.quantity, file.time(ground.time, ground.step), values, ground.baseline)
         assert ground.duration is not None
         motion = from_formula(ground.quantity, expression.read(word, ground.quantity), ground.duration)

@@ -2,15 +2,13 @@
 
 from typing import Annotated, ClassVar
 
-from pydantic import model_validator
-
-from masonry.scene.tables.dynamics.ground import Ground
-from masonry.scene.tables.types import Density, Given, KeyedError, Selector, Table
+from masonry.scene.tables.dynamics.ground import GivenMotion
+from masonry.scene.tables.types import Density, Given, Selector, Table
 
 WaveSpeed = Annotated[float, Given("velocity", "(0, 1e5]")]
 
 
-class IncomingWave(Ground):
+class IncomingWave(GivenMotion):
     """A motion that comes in through faces."""
 
     PLACE: ClassVar[str] = "quiet.wave"
@@ -28,10 +26,3 @@ class QuietBoundary(Table):
     p_speed: WaveSpeed | None = None
     s_speed: WaveSpeed | None = None
     wave: IncomingWave | None = None
-
-    @model_validator(mode="after")
-    def _wave_is_a_motion(self) -> "QuietBoundary":
-        for key in ("on", "as"):
-            if self.wave is not None and key in self.wave.model_fields_set:
-                raise KeyedError(f"wave.{key}", "a wave comes in through the faces of its table; leave it out")
-        return self
