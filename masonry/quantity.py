@@ -110,6 +110,12 @@ def _with_unit(text: str, kind: str, name: str, need: str) -> float:
     if kind == "density" and powers == measure("N/m^3").powers:
         return float(Fraction(number) * factor / GRAVITY)
     if powers != measure(KINDS[kind].unit).powers:
+        if measure(f"{KINDS['acceleration'].unit}*{unit}").powers == measure(KINDS[kind].unit).powers:
+            weight = float(Fraction(number) * factor * GRAVITY)
+            raise ValueError(
+                f"{_short(text)} tells by mass what {name} tells by force: its weight is '{weight:.6g} "
+                f"{KINDS[kind].unit}'"
+            )
         alike = (k for k in KINDS.values() if k.unit and measure(k.unit).powers == powers)
         is_a = next((f"{unit} is {k.words}" for k in alike), None)
         raise ValueError(f"{is_a or f'{unit} does not fit'}; {need}")

@@ -14,7 +14,7 @@ Records = dict[int, tuple[str, str]]
 SI_PREFIX = {"": 1.0, "DECI": 0.1, "CENTI": 1e-2, "MILLI": 1e-3, "MICRO": 1e-6, "DECA": 10.0, "KILO": 1e3}
 _STRING = r"'(?:[^']++|'')*+'"
 _RECORD = re.compile(rf"#(\d{{1,18}})\s*=\s*([A-Z0-9_]*)\s*\(((?:[^';]++|{_STRING})*+);")
-_COMMENT = re.compile(rf"{_STRING}|/\*.*?\*/", re.DOTALL)
+_COMMENT = re.compile(rf"{_STRING}|/\*.*?(?:\*/|\Z)", re.DOTALL)
 _STRINGS = re.compile(_STRING)
 _REFERENCE = re.compile(r"#(\d{1,18})")
 _NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")

@@ -119,7 +119,7 @@ def require_small(blocks: Blocks, facing: Facing, names: Sequence[str], toleranc
     said = [f"{n} {word}{'s' if n > 1 else ''}" for n, word in ((gaps, "gap"), (overlaps, "overlap")) if n]
     owner, lines = blocks.face_block(), described(blocks, worst, names)
     known = {(int(owner[f]), int(owner[g])) for f, g in zip(facing.face_a, facing.face_b, strict=True)}
-    others = [o for o in all_overlaps(blocks, names, tolerance) if (o.first, o.second) not in known]
+    others = all_overlaps(blocks, names, tolerance, {pair for a, b in known for pair in ((a, b), (b, a))})
     largest = max([float(np.abs(worst.size).max()), *(overlap.depth for overlap in others)])
     raise Unmended(
         f"{' and '.join(said)} between facing faces, larger than the tolerance of {tolerance * 1e3:.4g} mm: "

@@ -11,6 +11,8 @@ from geometry.polyhedra.polygons import areas_normals_centroids, pad
 
 TABLE = 4_000_000
 """Numbers that are looked at in one go."""
+FACES = 32
+"""Faces that are looked at in one go."""
 
 
 @dataclass(frozen=True)
@@ -92,19 +94,37 @@ def shared_place(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray
 def _entry(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray | None:
     boxes, others = _boxes(one.faces), _boxes(two.faces)
     near = _meet(boxes, (others[0].min(axis=0), others[1].max(axis=0)))
-    for f in near:
-        face, normal = one.faces[f], one.normals[f]
-        pieces = [face]
-        for g in _meet(others, (boxes[0][f], boxes[1][f])):
-            pieces = [part for piece in pieces for part in _cut(piece, two.normals[g], two.faces[g][0], depth)]
-        for piece in pieces:
-            middle = areas_normals_centroids(piece[None])[2][0]
-            touching = _faces_at(two, _meet(others, (middle - depth, middle + depth)), middle, depth)
-            if len(touching) == 0 and is_inside(two, middle):
-                return np.asarray(middle)
-            if len(touching) and np.any(two.normals[touching] @ normal > 0.999):
-                return np.asarray(middle)
+    origin = np.array([face[0] for face in two.faces])
+    for begin in range(0, len(near), FACES):
+        pieces, normals = [], []
+        for f in near[begin : begin + FACES].tolist():
+            among = _meet(others, (boxes[0][f], boxes[1][f]))
+            height = np.einsum("kgi,gi->kg", one.faces[f][:, None] - origin[among], two.normals[among])
+            parts = [one.faces[f]]
+            for g in among[(height.max(axis=0) > depth) & (height.min(axis=0) < -depth)]:
+                parts = [part for piece in parts for part in _cut(piece, two.normals[g], origin[g], depth)]
+            pieces += parts
+            normals += [one.normals[f]] * len(parts)
+        start = np.cumsum([0, *map(len, pieces)])
+        middle = areas_normals_centroids(pad(np.concatenate(pieces), start, np.arange(start[-1]))[0])[2]
+        if len(shared := np.flatnonzero(_are_shared(two, others, middle, np.array(normals), depth))):
+            return np.asarray(middle[shared[0]])
     return None
+
+
+def _are_shared(
+    two: ConvexSolid, boxes: tuple[np.ndarray, np.ndarray], middle: np.ndarray, normal: np.ndarray, depth: float
+) -> np.ndarray:
+    """(M,) whether points of the surface of another solid, which looks along `normal` (M, 3) there, lie in a solid, or
+    on a face of it that looks the same way."""
+    free, shared = np.ones(len(middle), dtype=bool), np.zeros(len(middle), dtype=bool)
+    near = np.all((boxes[0] <= middle[:, None] + depth) & (middle[:, None] - depth <= boxes[1]), axis=2)
+    for m in np.flatnonzero(near.any(axis=1)).tolist():
+        touching = _faces_at(two, np.flatnonzero(near[m]), middle[m], depth)
+        free[m] = len(touching) == 0
+        shared[m] = bool(np.any(two.normals[touching] @ normal[m] > 0.999))
+    shared[free] = are_inside(two, middle[free])
+    return shared
 
 
 def moved(block: ConvexSolid, step: np.ndarray) -> ConvexSolid:
@@ -164,11 +184,19 @@ def holds(blocks: Blocks, block: int, point: np.ndarray, width: float) -> bool:
 
 
 def is_inside(block: ConvexSolid, point: np.ndarray) -> bool:
-    """Whether the point is inside the block: the solid angles of all its triangles add up to 4 pi (Van Oosterom)."""
-    a, b, c = (block.triangles[:, k] - point for k in range(3))
-    la, lb, lc = (np.linalg.norm(v, axis=1) for v in (a, b, c))
-    top = np.einsum("ti,ti->t", a, np.cross(b, c))
-    dot = (np.einsum("ti,ti->t", *pair) for pair in ((a, b), (b, c), (c, a)))
-    ab, bc, ca = dot
-    angle = 2 * np.arctan2(top, la * lb * lc + ab * lc + bc * la + ca * lb)
-    return bool(abs(angle.sum()) > 2 * np.pi)
+    """Whether the point is inside the block."""
+    return bool(are_inside(block, point[None])[0])
+
+
+def are_inside(block: ConvexSolid, points: np.ndarray) -> np.ndarray:
+    """(M,) whether points (M, 3) are inside the block: the solid angles of all its triangles add up to 4 pi (Van
+    Oosterom)."""
+    inside, chunk = np.zeros(len(points), dtype=bool), max(1, TABLE // (9 * len(block.triangles)))
+    for begin in range(0, len(points), chunk):
+        a, b, c = (block.triangles[:, k] - points[begin : begin + chunk, None] for k in range(3))
+        la, lb, lc = (np.sqrt(np.einsum("mti,mti->mt", v, v)) for v in (a, b, c))
+        ab, bc, ca = (np.einsum("mti,mti->mt", *pair) for pair in ((a, b), (b, c), (c, a)))
+        top = np.einsum("mti,mti->mt", a, np.cross(b, c))
+        angle = 2 * np.arctan2(top, la * lb * lc + ab * lc + bc * la + ca * lb)
+        inside[begin : begin + chunk] = np.abs(angle.sum(axis=1)) > 2 * np.pi
+    return inside

@@ -1,6 +1,6 @@
 """Blocks that take up the same space: convex ones found by the separating axis theorem; refused with a message."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError
 from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.construct import selected
-from geometry.polyhedra.intersect import ConvexSolid, are_convex, moved, shared_place, solid
+from geometry.polyhedra.intersect import TABLE, ConvexSolid, are_convex, moved, shared_place, solid
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids, volumes
 from geometry.polyhedra.polygons import areas_normals_centroids, cut, pad
 
@@ -17,8 +17,13 @@ THIN = 0.49
 """Of the side of a box: what is taken off either end at most, where blocks may overlap by more than they are thick."""
 LISTED = 5
 """Overlaps that a message shows, the deepest first."""
+SAME = 1e-3
+"""Of size, volume and surface: by how much two blocks that are one and the same may differ."""
 MEASURED, MOST_FACES = 6, 400
 """Overlaps of blocks that are not convex, and faces of two blocks, up to which moves in all directions are tried."""
+NEARLY = 1e-2
+"""Of the size of a block: how far a corner may stand out of the plane of a face of a block that is convex but for
+noise."""
 DIRECTIONS, HALVINGS = 24, 12
 """Normals of faces along which a block that is not convex is moved out of another one; how often a move is halved."""
 
@@ -53,20 +58,27 @@ def check_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: 
         raise Overlapping(f"{lines}; blocks may {limit}", overlaps)
 
 
-def all_overlaps(blocks: Blocks, names: Sequence[str] | None = None, allowed: float = 0.0) -> list[Overlap]:
-    """All overlaps, the deepest first; see check_overlaps. Raises GeometryError for a block that is too thin."""
+def all_overlaps(
+    blocks: Blocks, names: Sequence[str] | None = None, allowed: float = 0.0, known: Collection[tuple[int, int]] = ()
+) -> list[Overlap]:
+    """All overlaps, the deepest first, but for those of pairs that are known; see check_overlaps. Raises GeometryError
+    for a block that is too thin."""
     depth = max(1e-9 * extent(blocks), allowed)
     low, high = bounds(blocks)
     _require_thick(blocks, names, high - low, 1e-9 * extent(blocks))
     rim = np.minimum(depth / 2, THIN * (high - low))
     pairs = overlapping_boxes(low + rim, high - rim)
+    if known:
+        pairs = pairs[[pair not in known for pair in map(tuple, pairs.tolist())]]
     is_box = np.abs(volumes(blocks) / np.prod(high - low, axis=1) - 1) < 1e-12
     convex = np.ones(blocks.count, dtype=bool) if is_box.all() else are_convex(blocks, depth)
     sure = is_box[pairs].all(axis=1)
     overlaps = [overlap for a, b in pairs[sure].tolist() if (overlap := _of_boxes(low, high, a, b)).depth > depth]
-    for a, b in overlapping_pairs(blocks, pairs[~sure], depth, convex):
+    for a, b, place in overlapping_pairs(blocks, pairs[~sure], depth, convex):
         closely = len(overlaps) < MEASURED
-        overlaps.append(_of_convex(blocks, a, b) if convex[[a, b]].all() else _of_solids(blocks, a, b, depth, closely))
+        overlaps.append(
+            _of_convex(blocks, a, b) if place is None else _of_solids(blocks, a, b, place, depth if closely else None)
+        )
     return sorted(overlaps, key=lambda overlap: -overlap.depth)
 
 
@@ -90,6 +102,9 @@ def described(blocks: Blocks, overlaps: Sequence[Overlap], names: Sequence[str] 
     lines = []
     for first, second, depth, axis, place in overlaps[:LISTED]:
         one, two = (f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (first, second))
+        if _are_one(blocks, first, second):
+            lines.append(f"{one} and {two} are the same block twice: leave one of them out")
+            continue
         x, y, z = place
         lines.append(
             f"blocks {one} and {two} overlap by {depth * 1e3:.4g} mm around ({x:.4g}, {y:.4g}, {z:.4g}) m: "
@@ -98,6 +113,15 @@ def described(blocks: Blocks, overlaps: Sequence[Overlap], names: Sequence[str] 
     if len(overlaps) > LISTED:
         lines.append(f"and {len(overlaps) - LISTED} pairs more, by less")
     return lines
+
+
+def _are_one(blocks: Blocks, a: int, b: int) -> bool:
+    """Whether two blocks have the same box around them, the same volume and the same surface."""
+    both = selected(blocks, np.array([a, b]))
+    (low, high), area = bounds(both), face_areas_normals_centroids(both)[0]
+    off = max(float(np.abs(np.diff(ends, axis=0)).max()) for ends in (low, high))
+    sums = np.stack([volumes(both), np.add.reduceat(area, both.block_face_start[:-1])])
+    return off <= SAME * float((high - low).max()) and bool(np.all(np.abs(np.diff(sums)) <= SAME * sums[:, :1]))
 
 
 def _direction(axis: np.ndarray) -> str:
@@ -137,19 +161,30 @@ def _middle_of_boxes(blocks: Blocks, a: int, b: int) -> np.ndarray:
     return np.asarray((low.max(axis=0) + high.min(axis=0)) / 2)
 
 
-def _of_solids(blocks: Blocks, a: int, b: int, depth: float, closely: bool) -> Overlap:
-    """The overlap of two blocks that need not be convex: the least move along an axis that parts their hulls, or, if it
-    is looked at closely, along the normal of a face that parts them."""
-    one, two = solid(blocks, a), solid(blocks, b)
-    place = shared_place(one, two, depth)
+def _of_solids(blocks: Blocks, a: int, b: int, place: np.ndarray, depth: float | None) -> Overlap:
+    """The overlap of two blocks that need not be convex, which share a place: the least move along an axis that parts
+    their hulls, or, where it is looked at closely (depth), along the normal of a face that parts them."""
     least, axis = _penetration(blocks, a, b)
+    if depth is None:
+        return Overlap(a, b, least, axis, place)
+    one, two = solid(blocks, a), solid(blocks, b)
     normals = np.concatenate([one.normals, -two.normals])
-    normals = normals if closely and len(normals) <= MOST_FACES else normals[:0]
+    if len(normals) > MOST_FACES or (_is_nearly_convex(one) and _is_nearly_convex(two)):
+        return Overlap(a, b, least, axis, place)
     _, first = np.unique(np.round(normals, 3), axis=0, return_index=True)
     for normal in normals[np.sort(first)][:DIRECTIONS]:
         if _part(one, two, (1 - 1e-3) * least * normal, depth):
             least, axis = _shortest(one, two, normal, least, depth), normal
-    return Overlap(a, b, least, axis, _middle_of_boxes(blocks, a, b) if place is None else place)
+    return Overlap(a, b, least, axis, place)
+
+
+def _is_nearly_convex(one: ConvexSolid) -> bool:
+    """Whether a solid is convex but for noise: its hull tells then how deep it is in another one."""
+    corners = np.concatenate(one.faces)
+    height = corners @ one.normals.T - np.array(
+        [face.mean(axis=0) @ n for face, n in zip(one.faces, one.normals, strict=True)]
+    )
+    return float(height.max()) <= NEARLY * float(np.ptp(corners, axis=0).max())
 
 
 def _part(one: ConvexSolid, two: ConvexSolid, step: np.ndarray, depth: float) -> bool:
@@ -168,16 +203,21 @@ def _shortest(one: ConvexSolid, two: ConvexSolid, normal: np.ndarray, longest: f
 
 def overlapping_pairs(
     blocks: Blocks, pairs: np.ndarray, depth: np.ndarray | float, convex: np.ndarray
-) -> Iterator[tuple[int, int]]:
-    """Those of the pairs (N, 2) that overlap by more than a depth (N,) m, in order; convex (B,), as are_convex."""
+) -> Iterator[tuple[int, int, np.ndarray | None]]:
+    """Those of the pairs (N, 2) that overlap by more than a depth (N,) m, in order, each with a place (3,) m where they
+    do unless both are convex; convex (B,), as are_convex."""
     depth = np.broadcast_to(depth, len(pairs))
     both = convex[pairs].all(axis=1)
     apart = np.zeros(len(pairs), dtype=bool)
     apart[both] = widest_gaps(blocks, pairs[both])[0] >= -depth[both]
+    apart[~both] = _gaps_of_hulls(blocks, pairs[~both]) >= -depth[~both]
     for n in np.flatnonzero(~apart).tolist():
         a, b = map(int, pairs[n])
-        if overlap(blocks, a, b, float(depth[n]), bool(both[n]))[0]:
-            yield a, b
+        if both[n]:
+            if _penetration(blocks, a, b)[0] > depth[n]:
+                yield a, b, None
+        elif (place := shared_place(solid(blocks, a), solid(blocks, b), float(depth[n]))) is not None:
+            yield a, b, place
 
 
 def overlap(blocks: Blocks, a: int, b: int, depth: float, convex: bool) -> tuple[bool, np.ndarray | None]:
@@ -227,6 +267,25 @@ def widest_gaps(blocks: Blocks, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarr
             widest[begin + wider] = gap[wider, best[wider]]
             facing[begin + wider] = face[a[wider], best[wider]]
     return widest, facing
+
+
+def _gaps_of_hulls(blocks: Blocks, pairs: np.ndarray) -> np.ndarray:
+    """(N,) m the widest gap between blocks, convex or not, along the normals of faces of both; below 0 without any."""
+    widest = np.full(len(pairs), -np.inf)
+    if len(pairs) == 0:
+        return widest
+    which, number = np.unique(pairs, return_inverse=True)
+    few, pairs = selected(blocks, which), number.reshape(-1, 2)
+    normals = face_areas_normals_centroids(few)[1]
+    normal = pad(normals, few.block_face_start, np.arange(len(normals)))[0]
+    corners, _ = pad(few.points, few.face_start[few.block_face_start], few.face_points)
+    farthest = np.stack([(corners[b] @ normal[b].T).max(axis=0) for b in range(few.count)])
+    chunk = max(1, TABLE // (normal.shape[1] * corners.shape[1]))
+    for begin in range(0, len(pairs), chunk):
+        for a, b in (pairs[begin : begin + chunk].T, pairs[begin : begin + chunk, ::-1].T):
+            gap = np.einsum("pfi,pki->pfk", normal[a], corners[b]).min(axis=2) - farthest[a]
+            np.maximum(widest[begin : begin + chunk], gap.max(axis=1), out=widest[begin : begin + chunk])
+    return widest
 
 
 def _penetration(blocks: Blocks, a: int, b: int) -> tuple[float, np.ndarray]:

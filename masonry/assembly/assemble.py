@@ -16,7 +16,7 @@ from geometry.specimens.placed import with_empty_blocks
 from masonry.assembly.conditions import conditions_of
 from masonry.assembly.contact_pairs import Pairs, meetings_of, pairs_of
 from masonry.assembly.gauge_places import gauges_of
-from masonry.assembly.growing_loads import let_grow
+from masonry.assembly.growing_loads import let_grow, require_places
 from masonry.assembly.layers import lay_in_layers
 from masonry.assembly.loose_parts import require_held
 from masonry.assembly.masses import density_of, moving_density_of
@@ -125,6 +125,7 @@ def _all_conditions(
 ) -> Conditions:
     """Supports and loads, the one that grows among them. Raises SceneError where something stands on nothing."""
     conditions = conditions_of(scene, specimen, layout, joints, density, moving_density)
+    require_places(scene, specimen, joints)
     if scene.grows:
         let_grow(scene, specimen, joints, layout, density, conditions)
     if scene.must_stand:

@@ -55,6 +55,16 @@ def let_grow(
     into.varying += loads.values()
 
 
+def require_places(scene: Scene, specimen: Specimen, joints: Joints) -> None:
+    """What [limit] and [vehicle] act on is there, also where a run leaves it to `masonry limit`. Raises SceneError."""
+    for word, where in (
+        (None if scene.limit is None else scene.limit.on, "limit.on"),
+        (None if scene.vehicle is None else scene.vehicle.on, "vehicle.on"),
+    ):
+        if word is not None:
+            select(specimen, joints, word, where)
+
+
 def bed_of(scene: Scene, specimen: Specimen, joints: Joints) -> RoadBed:
     """Of the road below the vehicle of a scene. Raises SceneError."""
     vehicle = scene.vehicle

@@ -3,7 +3,7 @@
 import argparse
 
 from masonry.errors import visible
-from masonry.runtime.shell import OK
+from masonry.runtime.shell import OK, tell
 
 
 def run_scene(words: argparse.Namespace) -> int:
@@ -46,7 +46,7 @@ def import_blocks(words: argparse.Namespace) -> int:
     from masonry.importing.importing import import_file
 
     options = {word: getattr(words, word) for word in (*QUANTITIES, *OTHERS)}
-    print(import_file(words.file, words.out, settings_of(options, "--"), words.overwrite))
+    print(import_file(words.file, words.out, settings_of(options, "--"), words.overwrite, tell))
     return OK
 
 

@@ -31,7 +31,7 @@ def ways_out(attempt: Callable[[Any], Any], wishes: Any, error: GeometryError, b
 
     bridging: whether joints over gaps may be tried
     """
-    needed, end = _needed(error), time.monotonic() + PATIENCE
+    needed, end = needed_by(error), time.monotonic() + PATIENCE
     if needed is None:
         return []
 
@@ -54,7 +54,7 @@ def ways_out(attempt: Callable[[Any], Any], wishes: Any, error: GeometryError, b
         if said is None:
             ways.append(f"--tolerance {tolerance * 1e3:.3g}mm mends them")
             break
-        wider = _needed(said) or 0.0
+        wider = needed_by(said) or 0.0
     if not wishes.open_gaps and refused(open_gaps=True) is None:
         ways.append("--open-gaps leaves gaps as they are")
     gap = max(NARROWEST, needed)
@@ -65,7 +65,7 @@ def ways_out(attempt: Callable[[Any], Any], wishes: Any, error: GeometryError, b
     return ways
 
 
-def _needed(error: Exception) -> float | None:
+def needed_by(error: Exception) -> float | None:
     """The tolerance (m) that gaps and overlaps ask for, by an error; None for other errors."""
     if isinstance(error, Unmended):
         return error.needed

@@ -2,7 +2,8 @@
 
 import math
 import os
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from functools import partial
@@ -16,6 +17,7 @@ from geometry.files.atomic import whole_file
 from geometry.files.blocks_h5 import save_blocks
 from geometry.files.blocks_text import text_of_blocks
 from geometry.files.sandbox import guarded
+from geometry.files.surfaces.compas_json import SUPPORT
 from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.gaps import ALMOST, Unmended
 from geometry.joints.heal import Mended, mend
@@ -25,7 +27,7 @@ from geometry.polyhedra.overlaps import Overlapping, check_overlaps
 from geometry.polyhedra.validate import require_near, require_sound
 from masonry.errors import SceneError, nearest
 from masonry.importing.data_sets import data_path
-from masonry.importing.hints import ways_out, with_ways_out
+from masonry.importing.hints import needed_by, ways_out, with_ways_out
 from masonry.importing.named_sets import SECTIONS, section_of, section_words, sets_of
 from masonry.importing.report import ImportReport
 from masonry.importing.scene_file import Written, scene_text
@@ -39,10 +41,13 @@ READERS = {
 }
 TOLERANCE = 1e-4  # m
 FLAT = 1.0, 0.1, 0.0  # of the tolerance, within which faces of a surface count as flat
+HOPELESS = 3.0  # times the tolerance: making faces flat moves both sides of a gap by no more than once each
 
 ANGLE = math.radians(20.0)
 SUFFIX = ".blocks.h5"
 LONGEST_NAME = 200  # letters, what a scene allows
+LISTED = 5  # names that a note shows
+MANY = 100  # blocks, from which on it is told what is looked for: it may take seconds
 UPWARD = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
 """Axes of the file that become x, y and z: what points up becomes z, the others follow in their order round."""
 
@@ -66,10 +71,17 @@ class ImportSettings:
     angle: float = ANGLE
 
 
-def import_file(source: Path, out: Path | None, wishes: ImportSettings, overwrite: bool = False) -> ImportReport:
+def import_file(
+    source: Path,
+    out: Path | None,
+    wishes: ImportSettings,
+    overwrite: bool = False,
+    tell: Callable[[str], None] | None = None,
+) -> ImportReport:
     """Read source, mend it, and make a scene of it: in the file `out`, with its blocks beside it; without `out` nothing
     is written, and the blocks stand in the scene.
 
+    tell  gets a line each time that many blocks are looked at
     Raises SceneError or GeometryError with one message; then nothing is written.
     """
     source = data_path(source)
@@ -79,7 +91,7 @@ def import_file(source: Path, out: Path | None, wishes: ImportSettings, overwrit
     target = None if out is None else out.parent / (out.name.removesuffix(".toml") + SUFFIX)
     if out is not None and target is not None:
         _require_free(source, out, target, overwrite)
-    read = Reading(source, reader)
+    read = Reading(source, reader, tell or _say_nothing)
     try:
         solids, names, mended, stated = joined_up(read, wishes)
     except (Unmended, Overlapping) as error:
@@ -95,7 +107,7 @@ def import_file(source: Path, out: Path | None, wishes: ImportSettings, overwrit
         with whole_file(out) as place:
             place.write_text(text, encoding="utf-8")
             save_blocks(target, specimen, solids.mesh)
-    notes = (*solids.notes, *_lone(blocks))
+    notes = (*solids.notes, *_lone(blocks), *_shared_names(names))
     paths = (out, target) if out is not None and target is not None else ()
     return ImportReport(specimen, joints, mended, names, notes, paths, words, _readable(source.stem), text)
 
@@ -116,6 +128,10 @@ def _specimen(
     return Specimen(blocks, sets, section, "file", joints=stated, overlap=mended.deepest if mended else 0.0)
 
 
+def _say_nothing(line: str) -> None:
+    """What is told to nobody."""
+
+
 def _lone(blocks) -> list[str]:
     """What a file of one solid cannot do."""
     if blocks.count > 1:
@@ -126,11 +142,23 @@ def _lone(blocks) -> list[str]:
     ]
 
 
+def _shared_names(names: Sequence[str]) -> list[str]:
+    """That some names stand for several blocks each; supports of COMPAS are meant so."""
+    several = [f"'{name}' ({times})" for name, times in Counter(names).items() if times > 1 and name != SUPPORT]
+    if not several:
+        return []
+    more = ", ..." if len(several) > LISTED else ""
+    return [
+        f"names of several blocks: {', '.join(several[:LISTED])}{more}; a support, load or gauge by one of these "
+        "takes all of its blocks"
+    ]
+
+
 class Reading:
     """A file that is read, once for each way of reading it."""
 
-    def __init__(self, source: Path, reader: tuple[str, str]) -> None:
-        self.source, self.reader = source, reader
+    def __init__(self, source: Path, reader: tuple[str, str], tell: Callable[[str], None]) -> None:
+        self.source, self.reader, self.tell = source, reader, tell
         self._read: dict[str, Imported] = {}
 
     def __call__(self, wishes: ImportSettings, flat: float = 0.0) -> tuple[Imported, tuple[str, ...]]:
@@ -142,6 +170,9 @@ class Reading:
         if key not in self._read:
             self._read[key] = upright(guarded(*self.reader, self.source, **words), wishes.up)
         solids = self._read[key]
+        if solids.blocks.count > MANY:
+            within = wishes.tolerance if wishes.gap is None else wishes.gap
+            self.tell(f"{solids.blocks.count} blocks: looks for gaps and overlaps, up to {within * 1e3:.4g} mm")
         require_near(solids.blocks)
         names = tuple(name or f"solid {number}" for number, name in enumerate(solids.names, start=1))
         return grouped(solids, names, wishes.groups), names
@@ -195,12 +226,18 @@ def _mended_surfaces(read: Reading, wishes: ImportSettings) -> tuple[Imported, t
     agree with their neighbours, within less.
     """
     refused: GeometryError | None = None
+    before: np.ndarray | None = None
     for share in FLAT:
         solids, names = read(wishes, share * wishes.tolerance)
+        if before is not None and np.array_equal(before, solids.blocks.points):
+            continue  # these were refused
+        before = solids.blocks.points
         try:
             return solids, names, mend(solids.blocks, wishes.tolerance, names, wishes.open_gaps)
         except GeometryError as error:
             refused = refused or error
+            if (needed_by(error) or 0.0) > HOPELESS * wishes.tolerance:
+                break
     assert refused is not None
     if far := [note for note in solids.notes if "from the origin" in note]:
         raise GeometryError(f"{refused}; {far[0]}")

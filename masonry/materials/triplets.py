@@ -158,8 +158,10 @@ def _is_heading(line: str, words: list[str]) -> bool:
 
 
 def _numbers(words: list[str]) -> list[float] | None:
+    from masonry.quantity import is_plain
+
     try:
-        return [float(word) for word in words]
+        return [float(word) for word in words] if all(map(is_plain, words)) else None
     except ValueError:
         return None
 

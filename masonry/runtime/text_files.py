@@ -21,6 +21,7 @@ JSON_LARGEST = 100_000_000
 """Bytes of a JSON file; a record or a summary has a thousand."""
 MOST_DIGITS = 18
 """Of a whole number in JSON: what fits into 64 bits."""
+NO_BACK_SLASH = "a back slash begins an escape in double quotes: write '/' between folders"
 _NESTED_KEY = re.compile(rf"(?<![\w\"'-])(?:[\w\"'-]+[ \t]*\.[ \t]*){{{NESTED}}}")
 _BARE_QUANTITY = re.compile(r"=\s*([-+]?[\d.]+(?:[eE][-+]?\d+)? ?[A-Za-z][\w/^*]*)\s*(?:#.*)?$")
 
@@ -65,6 +66,8 @@ def toml_of(text: str, name: str, what: str = "a scene") -> dict[str, Any]:
         hint, line = "", re.search(r"at line (\d+)", str(error))
         if line and (bare := _BARE_QUANTITY.search(text.split("\n")[int(line[1]) - 1][:200].rstrip())):
             hint = f"; a quantity stands in quotes: '{bare[1]}'"
+        elif line and "\\" in text.split("\n")[int(line[1]) - 1]:
+            hint = f"; {NO_BACK_SLASH}"
         raise SceneError(f"{name}: not valid TOML: {f'{error}'[:300]}{hint}") from None
     if _is_deeper(raw, NESTED):
         raise too_deep

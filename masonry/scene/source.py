@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry.errors import SceneError, closest
-from masonry.runtime.text_files import NESTED, decoded, toml_of
+from masonry.runtime.text_files import NESTED, NO_BACK_SLASH, decoded, toml_of
 from masonry.scene.lines import line_numbers
 from masonry.scene.variant import Keys, leaves, overlay
 
@@ -134,7 +134,17 @@ def _anchor(raw: dict[str, Any], file: Traversable) -> None:
     for table, key in (*named, *((one, "record") for one in grounds)):
         path = table.get(key) if isinstance(table, dict) else None
         if isinstance(table, dict) and isinstance(path, str) and path and isinstance(file, Path):
-            table[key] = str(file.absolute().parent / path)
+            table[key] = str(_beside(file, path, key))
+
+
+def _beside(file: Path, path: str, key: str) -> Path:
+    """The file that a key of a scene names. Raises SceneError for the path of another system."""
+    if any(letter < " " for letter in path):
+        raise SceneError(f"{key}: {path!r:.80} is no path: {NO_BACK_SLASH}")
+    there, meant = (file.absolute().parent / name for name in (path, path.replace("\\", "/")))
+    if there != meant and not there.exists() and meant.is_file():
+        raise SceneError(f"{key}: no file {path!r:.80}, but '{path.replace(chr(92), '/')}': write '/' between folders")
+    return there
 
 
 def _below(source: Source, base: Any, file: Traversable, above: tuple[str, ...]) -> Source:
@@ -177,6 +187,8 @@ def _text(file: Traversable, name: str, known: dict[str, Traversable], typed: st
 
 def _nearest(file: Traversable, name: str, known: dict[str, Traversable], typed: str) -> str | None:
     """The file of this name that lacks only its ending, or the packaged scene whose name is closest."""
+    if isinstance(file, Path) and "\\" in typed and Path(str(file).replace("\\", "/")).is_file():
+        return typed.replace("\\", "/")
     if isinstance(file, Path) and file.name and file.with_name(f"{file.name}.toml").is_file():
         return f"{typed}.toml"
     stem = re.split(r"[/\\]", name[-200:])[-1].removesuffix(".toml")

@@ -40,15 +40,15 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry.sweeps.planned_runs import listing, plan
-    from masonry.sweeps.sweep_run import Running, run_sweep
+    from masonry.sweeps.planned_runs import listing
+    from masonry.sweeps.sweep_run import Running, planned_of, run_sweep
 
     words = parser().parse_args(arguments)
     if words.workers < 0:
         raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
     sweep = read(words.sweep)
     if words.list:
-        print(listing(plan(sweep)))
+        print(listing(planned_of(sweep)[1]))
         return OK
     running = Running(words.out, words.overwrite, words.workers, words.scheduler, words.refused, words.format)
     text = words.sweep.read_text(encoding="utf-8-sig")

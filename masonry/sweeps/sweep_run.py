@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from masonry.laboratory.result import Result
     from masonry.sweeps.fragility.fragility import Fragility
+    from masonry.sweeps.fragility.request import FragilityRequest
 
 REFUSED = ("stop", "keep")
 """What becomes of a sweep of which some runs cannot be built."""
@@ -133,7 +134,7 @@ def run_sweep(
     if running.refused not in REFUSED:
         raise SceneError(f"refused = {running.refused!r:.60}; {nearest(str(running.refused), REFUSED)}")
     require_format(running.form)
-    request, planned = _request(sweep), plan(sweep)
+    request, planned = planned_of(sweep)
     if running.executor is not None:
         from masonry.sweeps.cluster import require
 
@@ -157,14 +158,18 @@ def _require_buildable(name: str, planned: Sequence[Planned], workers: int, fold
         raise
 
 
-def _request(sweep: Sweep) -> Any:
-    """What [fragility] asks for; None where there is no such table."""
+def planned_of(sweep: Sweep) -> "tuple[FragilityRequest | None, list[Planned]]":
+    """What [fragility] asks for, None where there is no such table, and every run. Raises SceneError: also where a run
+    has no such intensity."""
+    if FRAGILITY not in sweep.raw:
+        return None, plan(sweep)
+    from masonry.sweeps.fragility.intensity import intensities
     from masonry.sweeps.fragility.request import read_request
 
-    if FRAGILITY not in sweep.raw:
-        return None
     varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
-    return read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied)
+    request, planned = read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied), plan(sweep)
+    intensities(request, planned)
+    return request, planned
 
 
 def _run(

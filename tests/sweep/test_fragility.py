@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -136,6 +137,24 @@ TABLE = {"intensity": SCALE}
 def test_wrong_tables_are_one_message(table, words):
     with pytest.raises(SceneError, match=words):
         read_request(table, "sweep.toml: fragility", [SEED, SCALE])
+
+
+@pytest.mark.parametrize(
+    ("asks", "words"),
+    [
+        ('intensty = "confinement"', "intensty: unknown key; .*did you mean 'intensity'"),
+        ('intensity = "confinemnt"', "did you mean 'confinement'"),
+        ('intensity = "peak_velocity"', "fragility: peak_velocity: the scene has no .ground."),
+        ('intensity = "law"', "fragility: law: .*number"),
+    ],
+)
+@pytest.mark.parametrize("more", [["--list"], ["--out", "made"]])
+def test_what_fragility_asks_for_is_looked_at_before_anything_runs(tmp_path, monkeypatch, capsys, asks, words, more):
+    monkeypatch.chdir(tmp_path)
+    grid = '[grid]\nconfinement = ["0.1 MPa", "0.2 MPa"]\nlaw = ["brittle", "linear"]\n'
+    Path("sweep.toml").write_text(text(f"{grid}[fragility]\n{asks}\n"))
+    assert main(["sweep", "sweep.toml", *more]) == 2
+    assert re.search(words, capsys.readouterr().err) and not Path("made").exists()
 
 
 def test_a_sweep_with_a_fragility_leaves_its_files_and_another_table_runs_nothing_again(tmp_path, monkeypatch, capsys):

@@ -172,7 +172,7 @@ def test_a_scene_beside_the_sweep_file_is_found_from_anywhere(tmp_path, monkeypa
     assert 'law = "brittle"' in run.job.resolved
 
 
-def test_every_file_that_a_sweep_sets_is_found_beside_its_file_from_anywhere(tmp_path, monkeypatch):
+def test_every_file_that_a_sweep_sets_is_looked_for_beside_its_file_from_anywhere(tmp_path, monkeypatch):
     (tmp_path / "pushed.csv").write_text("0,1\n1,2\n2,4\n", encoding="utf-8")
     (tmp_path / "wave.csv").write_text("0,0\n1,2\n2,0\n", encoding="utf-8")
     units = '"curve.measured_units" = ["mm", "kN"]\n'

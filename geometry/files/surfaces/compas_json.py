@@ -6,6 +6,8 @@ too. Contacts, materials and forces are left out: joints are found anew.
 """
 
 import json
+import re
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -24,6 +26,9 @@ SUPPORT = "support"
 FRAME = ("point", "xaxis", "yaxis")
 BOX = np.array([[x, y, z] for z in (-0.5, 0.5) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))])
 BOX_FACES = [[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+SHAPES = ("Mesh", "Polyhedron", "Box")
+"""Classes that are blocks by themselves."""
+NUMBERED = re.compile(r"block \d+")
 ALLOWED = "a Mesh, Polyhedron or Box, a list of these, an Assembly or a BlockModel"
 
 
@@ -35,15 +40,17 @@ class Named(NamedTuple):
     name: str
 
 
-def read_compas(path: Path) -> list[Surface]:
+def read_compas(path: Path, notes: list[str] | None = None) -> list[Surface]:
     """A surface for each block, named as in the file, or "block 7" by its number, or SUPPORT; in the file's own unit.
 
+    notes  gets a sentence where parts of lists are no blocks and were left out
     Raises GeometryError where the file is no JSON, holds nothing that has a shape, or a block without one.
     """
     require_file(path, LARGEST)
     try:
         content = json.loads(path.read_bytes().decode("utf-8-sig"), parse_constant=_refuse_constant)
-        surfaces = list(_surfaces(content, np.eye(4), ""))
+        left: list[str] = []
+        surfaces = list(_surfaces(content, np.eye(4), "", left))
     except RecursionError:
         raise GeometryError(f"'{path.name}': lists or tables nested too deeply") from None
     except GeometryError as error:
@@ -54,7 +61,18 @@ def read_compas(path: Path) -> list[Surface]:
         raise GeometryError(f"'{path.name}': a table of it has not the form that COMPAS gives it ({error})") from None
     if not surfaces:
         raise GeometryError(f"'{path.name}' holds no blocks of COMPAS: {ALLOWED}, as compas.json_dump writes them")
-    return surfaces
+    if left and notes is not None:
+        words = ", ".join(f"{times} of {kind}" for kind, times in Counter(left).items())
+        notes.append(f"what lists of the file hold besides blocks, which was left out: {words[:500]}")
+    return _told_apart(surfaces)
+
+
+def _told_apart(surfaces: list[Surface]) -> list[Surface]:
+    """The surfaces; where lists of the file gave some of them the same number, numbered through the whole file."""
+    times = Counter(surface.name for surface in surfaces if NUMBERED.fullmatch(surface.name))
+    if not times or max(times.values()) == 1:
+        return surfaces
+    return [s._replace(name=f"block {n}") if s.name in times else s for n, s in enumerate(surfaces)]
 
 
 def _refuse_constant(word: str) -> float:
@@ -65,6 +83,8 @@ def _named(value: dict[str, Any]) -> Named:
     """An object, whichever version wrote it; a bare table stands for what it holds."""
     dtype = value.get("dtype", value.get("datatype"))
     data = value.get("data", value.get("value")) if isinstance(dtype, str) else value
+    if isinstance(dtype, str) and isinstance(data, dict) and isinstance(data.get("datatype"), str):
+        data = data.get("data")  # version 0.17 has what it holds within a table of its own
     attributes = data.get("attributes") if isinstance(data, dict) else None
     inside = [table.get("name") for table in (data, attributes) if isinstance(table, dict)]
     names = [name for name in (value.get("name"), *inside) if isinstance(name, str) and name]
@@ -73,11 +93,15 @@ def _named(value: dict[str, Any]) -> Named:
     return Named(dtype, data, own)
 
 
-def _surfaces(value: Any, place: np.ndarray, name: str) -> Iterator[Surface]:
-    """The shapes of a value; place (4, 4) takes its coordinates to those of the file."""
+def _surfaces(value: Any, place: np.ndarray, name: str, left: list[str]) -> Iterator[Surface]:
+    """The shapes of a value; place (4, 4) takes its coordinates to those of the file. What of lists has none is left
+    out, and its class put into `left`."""
     if isinstance(value, list):
         for number, item in enumerate(value):
-            yield from _surfaces(item, place, f"block {number}")
+            shapes = list(_surfaces(item, place, f"block {number}", left))
+            if not shapes and isinstance(item, dict):
+                left.append(_named(item).dtype or "a table")
+            yield from shapes
         return
     if not isinstance(value, dict):
         return
@@ -95,9 +119,12 @@ def _surfaces(value: Any, place: np.ndarray, name: str) -> Iterator[Surface]:
         yield from _of_model(data, place)
     elif isinstance(data, dict) and (nodes := _nodes(data)):
         yield from _of_nodes(nodes, place)
+    elif named.dtype.rpartition("/")[2] in SHAPES:
+        called = named.name or name or "one"
+        raise GeometryError(f"{called}, a {named.dtype}, has not the tables of its corners and faces")
     elif not named.dtype:
         for key, item in value.items():
-            yield from _surfaces(item, place, str(key))
+            yield from _surfaces(item, place, str(key), left)
 
 
 def _of_model(data: dict[str, Any], place: np.ndarray) -> Iterator[Surface]:
@@ -133,7 +160,7 @@ def _of_element(value: dict[str, Any], place: np.ndarray, number: int) -> Iterat
     if dtype.endswith("/Group"):  # of other elements, without a shape of its own
         return
     called = SUPPORT if data.get("is_support") else name or f"block {number}"
-    shapes = list(_surfaces(data.get("geometry"), place, called))
+    shapes = list(_surfaces(data.get("geometry"), place, called, []))
     if not shapes:
         raise GeometryError(f"element {number}, a {dtype or 'table'}, holds no mesh; make a Block of its modelgeometry")
     yield from (shape._replace(name=called) for shape in shapes)
@@ -159,7 +186,10 @@ def _of_nodes(nodes: dict[str, Any], place: np.ndarray) -> Iterator[Surface]:
             raise GeometryError(f"node {key} holds no block")
         own = _named(block)
         is_support = node.get("is_support", (own.data.get("attributes") or {}).get("is_support"))
-        yield from _surfaces(block | {"name": SUPPORT} if is_support else block, place, f"block {key}")
+        shapes = list(_surfaces(block | {"name": SUPPORT} if is_support else block, place, f"block {key}", []))
+        if not shapes:
+            raise GeometryError(f"node {key} holds a block without a mesh")
+        yield from shapes
 
 
 def _shape(data: Any) -> tuple[np.ndarray, list[np.ndarray]] | None:

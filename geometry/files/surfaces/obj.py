@@ -9,7 +9,7 @@ from geometry.files.surfaces.surface import Surface
 from geometry.polyhedra.validate import FARTHEST
 
 
-def read_obj(path: Path) -> list[Surface]:
+def read_obj(path: Path, notes: list[str] | None = None) -> list[Surface]:
     """A surface for each `o` or `g` that has faces, in the file's own unit. Raises GeometryError with the line."""
     corners: list[list[float]] = []
     named: list[tuple[str, list[np.ndarray]]] = [("", [])]
@@ -44,7 +44,7 @@ def _whole_lines(file):
 
 def _corner(said: str, path: Path, number: int) -> list[float]:
     try:
-        place = [float(word) for word in said.split()[:3]]
+        place = [float(word) for word in said.replace("_", "no").split()[:3]]
     except ValueError:
         place = []
     if len(place) != 3 or not all(abs(x) <= FARTHEST for x in place):

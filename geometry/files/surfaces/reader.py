@@ -4,6 +4,7 @@ A reader of other people's files: call read_surfaces by `geometry.files.sandbox.
 """
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -49,10 +50,13 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
     notes = ["1 in the file is taken as 1 m; --unit says otherwise"] if unit is None else []
     unit = 1.0 if unit is None else unit
     require_lengths("surfaces", {"unit": unit})
-    surfaces = _surfaces(path)
+    surfaces = _surfaces(path, notes)
     shift, changes = _shift([surface.points for *_, surface in surfaces]), Changes()
     moved = _moved([(called, surface) for called, _, surface in surfaces], shift)
-    mesh, counts = bodies_of(moved, path.name, changes, holes / unit, flat / unit)
+    try:
+        mesh, counts = bodies_of(moved, path.name, changes, holes / unit, flat / unit)
+    except GeometryError as error:
+        raise GeometryError(f"{error}{_far_away(shift * unit)}") from None
     names = []
     for (_, name, _), count in zip(surfaces, counts, strict=True):
         names += [name] if count == 1 else [f"{name}-{n}" if name else "" for n in range(1, count + 1)]
@@ -62,11 +66,11 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
     return Imported(blocks, tuple(names), None, None, (*_notes(changes, unit), *notes))
 
 
-def _surfaces(path: Path) -> list[tuple[str, str, Surface]]:
-    """What a message calls each surface of a file or a folder, its own name, and the surface."""
+def _surfaces(path: Path, notes: list[str]) -> list[tuple[str, str, Surface]]:
+    """What a message calls each surface of a file or a folder, its own name, and the surface; notes gets sentences."""
     in_folder, listed = path.is_dir(), []
     for file in files_of(path):
-        surfaces = READERS.get(file.suffix.lower(), _by_trimesh)(file)
+        surfaces = READERS.get(file.suffix.lower(), _by_trimesh)(file, notes)
         if not surfaces:
             raise GeometryError(f"'{file.name}' holds no faces")
         if sum(len(surface.faces) for surface in surfaces) > MOST_FACES:
@@ -108,6 +112,13 @@ def _far(shift: np.ndarray) -> str:
     )
 
 
+def _far_away(shift: np.ndarray) -> str:
+    """What to try where bodies that lie far away (m) were refused: their rounding may be the reason."""
+    if not shift.any():
+        return ""
+    return f"; {_far(shift).partition(':')[0]}: export them nearer to the origin, or in a format of full precision"
+
+
 def _called(file: Path, name: str, number: int, of: int) -> str:
     """What a message calls a surface."""
     if of == 1:
@@ -116,7 +127,7 @@ def _called(file: Path, name: str, number: int, of: int) -> str:
     return f"{which} of '{file.name}'"
 
 
-def _by_trimesh(file: Path) -> list[Surface]:
+def _by_trimesh(file: Path, notes: list[str]) -> list[Surface]:
     """PLY and STL, as trimesh understands them; an STL file in words has a surface for each solid."""
     import trimesh
 
@@ -136,7 +147,7 @@ def _by_trimesh(file: Path) -> list[Surface]:
     return surfaces
 
 
-READERS = {".obj": read_obj, ".json": read_compas}
+READERS: dict[str, Callable[[Path, list[str]], list[Surface]]] = {".obj": read_obj, ".json": read_compas}
 """By suffix; trimesh reads all others."""
 
 

@@ -39,6 +39,12 @@ def three_pieces():
     return {"vertex": vertex, "face": {str(n): loop for n, loop in enumerate(loops)}}
 
 
+def wrapped(one):
+    """As version 0.17 has it: what it holds stands with its class in a table of its own."""
+    inside = {"compas": "0.17.2", "datatype": one["dtype"], "data": one["value"]}
+    return {"dtype": one["dtype"], "value": inside}
+
+
 FILES = {
     "a model": model(),
     "an assembly": samples.assembly(),
@@ -48,6 +54,7 @@ FILES = {
     "a table of meshes": {"blocks": [mesh(), mesh(HEIGHT)], "key": mesh(2 * HEIGHT)},
     "bare data of meshes": [samples.mesh_data(k * HEIGHT) for k in range(3)],
     "a mesh, a box in its frame and a polyhedron": [mesh(), BOX, POLYHEDRON],
+    "meshes of version 0.17": [wrapped(mesh(k * HEIGHT, 1, f"brick {k}")) for k in range(3)],
     "a mesh of three pieces": thing("compas.datastructures/Mesh", three_pieces()),
 }
 
@@ -80,6 +87,30 @@ def test_names_are_those_of_the_file_else_numbers(tmp_path):
     assert names == ["keystone", "springer", "block 2"]
 
 
+def test_lists_in_a_table_number_their_blocks_through_the_file(tmp_path):
+    courses = {
+        "courses": [[mesh(), mesh(HEIGHT, name="tie")], [mesh(2 * HEIGHT), mesh(3 * HEIGHT)]],
+        "params": {"N": "2"},
+    }
+    report = masonry.import_blocks(write(tmp_path / "m.json", courses))
+    assert report.names == ("block 0", "tie", "block 2", "block 3") and report.notes[:-1] == ()
+    assert [report.specimen.sets[name].tolist() for name in report.names] == [[0], [1], [2], [3]]
+
+
+def test_what_lists_hold_besides_blocks_is_told(tmp_path):
+    point, loads = thing("compas.geometry/Point", [0.0, 0.0, 1.0]), {"load": 3}
+    report = masonry.import_blocks(write(tmp_path / "m.json", [mesh(), point, mesh(HEIGHT), [point, loads]]))
+    assert report.specimen.blocks.count == 2
+    assert "which was left out: 2 of compas.geometry/Point, 1 of a table" in " ".join(report.notes)
+
+
+def test_names_that_several_blocks_have_are_told_but_for_supports(tmp_path):
+    listed = [mesh(k * HEIGHT, name=name) for k, name in enumerate(("brick", "tie", "brick", "support", "support"))]
+    report = masonry.import_blocks(write(tmp_path / "m.json", listed))
+    notes = [note for note in report.notes if "names of several blocks" in note]
+    assert len(notes) == 1 and "'brick' (2); a support, load or gauge" in notes[0]
+
+
 def test_places_of_model_group_and_element_are_applied_one_after_the_other(tmp_path):
     turned = [[0.0, -1.0, 0.0, 5.0], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 7.0], IDENTITY[3]]
     blocks = masonry.import_blocks(write(tmp_path / "m.json", model(matrix(turned)))).specimen.blocks
@@ -107,6 +138,9 @@ WRONG = {
     "a node without a block": ({"node": {"0": {"x": 1.0}}, "edge": {}}, "node 0 holds no block"),
     "a vertex that is not there": ({"vertex": {"0": {}}, "face": {"0": [0, 1, 2]}}, "a face names a vertex"),
     "no numbers": ({"vertex": {"0": {"x": "a"}}, "face": {}}, "a vertex is not three numbers"),
+    "a mesh without faces": ([mesh(), thing("own/Mesh", {"vertex": {}})], "block 1, a own/Mesh, has not the tables"),
+    "a box without sizes": ({"a": thing("compas.geometry/Box", {"xsize": 1.0})}, "a, a compas.geometry/Box, has not"),
+    "a node's odd block": ({"node": {"5": {"block": thing("own/Block", {"a": 1})}}}, "node 5 holds a block without"),
     "a matrix": (model({"matrix": [[1.0]]}), "neither a matrix of 4 x 4 numbers"),
     "a projection": (model(matrix([*IDENTITY[:3], [0.0, 0.0, 0.1, 1.0]])), "neither a matrix"),
     "open": (thing("Mesh", samples.mesh_data() | {"face": {"0": [0, 1, 2, 3], "1": [0, 3, 5, 4]}}), "open|edge"),
