@@ -49,6 +49,10 @@ class TurnedTooFar(Stopped):
     """A run that was stopped because a block has turned further than small displacement allows."""
 
 
+class MovedTooFar(Stopped):
+    """A run that was stopped because blocks have crushed, slid or met further than a run can tell what follows."""
+
+
 def visible(text: str) -> str:
     """A text in one line of letters that can be seen: newlines and what could steer a terminal are written as codes."""
     if text.isprintable():

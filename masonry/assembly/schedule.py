@@ -52,7 +52,9 @@ def growing(scene: Scene) -> Growing:
     assert limit is not None and limit.run_accuracy is not None
     path = FactorPath(limit.run_accuracy, limit.up_to or UP_TO, limit.history or (), limit.pattern == "tilt")
     control = None if limit.control is None or limit.until is None else Control(limit.control, limit.until)
-    return Growing(rise(settle, settle) if settle else np.ones(1), path, limit.pattern, control, scene.loops_over)
+    return Growing(
+        rise(settle, settle) if settle else np.ones(1), path, limit.pattern, control, scene.loops_over, limit.travel
+    )
 
 
 def controlled(scene: Scene) -> Controlled:

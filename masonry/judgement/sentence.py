@@ -35,10 +35,20 @@ def motion(evidence: Evidence) -> str:
         behind = (
             f", within {percent(branch['out_of_balance_max'])} of equilibrium behind the collapse" if branch else ""
         )
-        return f"at rest under each factor that is borne{behind}"
+        return f"at rest under each factor that is borne{moved_before(evidence)}{behind}"
     if evidence.in_real_time:
         return "in real time"
     return "quasi-static" if evidence.has_drive else "at rest"
+
+
+def moved_before(evidence: Evidence) -> str:
+    """From which factor on a load was borne only after falls that came to rest, and how far the farthest of these went;
+    "" without any."""
+    falls = [Evidence(fall) for fall in evidence.table("collapse_load").get("caught") or []]
+    if not falls:
+        return ""
+    travel = max(fall.number("travel_m") or 0.0 for fall in falls)
+    return f", beyond {falls[0].number('borne') or 0.0:.4g} only after it moved by up to {1e3 * travel:.4g} mm"
 
 
 def note(summary: Mapping[str, Any]) -> str:

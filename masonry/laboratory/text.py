@@ -285,15 +285,16 @@ def factor_text(grown: CollapseLoad, interrupted: bool) -> list[str]:
     borne, falls, tilts = grown.borne, grown.falls, grown.pattern == "tilt"
     angle = f", at {degrees(atan(borne)):.4g} deg" if tilts else ""
     loops = grown.loops
-    leg = leg_text(loops) if loops else ""
+    leg, moved = leg_text(loops) if loops else "", [fall.words for fall in grown.caught or []]
     if falls is None and loops and not interrupted:
         points = [f"{factor:g}" for factor in loops.history]
         return [f"borne along its whole path, through {', '.join(points[:FEW])}{', ...' * (len(points) > FEW)}"]
     if falls is None:
         ends = "the run was interrupted here" if interrupted else "the load ends here (limit.up_to)"
-        return [f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]
+        return [*moved, f"{borne:.6g} is borne{leg}{angle}: {ends}, and nothing has fallen"]
     sets, moving = ", ".join(grown.sets), grown.moving
     return [
+        *moved,
         f"{borne:.6g} is borne{leg}{angle}, {falls:.6g} is not; found in {grown.trials} trials, to "
         f"{percent(grown.accuracy)}",
         f"{moving} of {len(grown.moved)} blocks move; block {grown.first}"

@@ -84,6 +84,11 @@ class Loading(Remembering, ABC):
         """A block has turned further than small displacement allows: whether the run goes on nevertheless."""
         return False
 
+    def moved_too_far(self) -> bool:
+        """Blocks have crushed, slid or met further than can be told, at a row: whether that is but the end of a fall
+        that was followed, and of the run."""
+        return False
+
     @property
     def events(self) -> list[Event]:
         """The sudden cracks so far."""

@@ -9,7 +9,7 @@ from geometry.polyhedra.measures import bounds, widths
 from geometry.specimens.placed import FLOOR
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
-from masonry.errors import Stopped
+from masonry.errors import MovedTooFar, Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.openings import CRUSHED, closed, require_bearing, thinner
@@ -89,10 +89,10 @@ class Collapse(Observer):
 
     def _overlap(self, model: Model, step: int) -> float:
         """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half, and
-        where they crushed by more than a tenth."""
+        MovedTooFar where they crushed by more than a tenth."""
         share, pair = self.configuration.most_crushed(self.width)
         if share > CRUSHED:
-            raise Stopped(
+            raise MovedTooFar(
                 f"step {step}: {model.two_blocks(*pair)} have crushed where they meet by {share:.3g} of the width of "
                 "the thinner one: what is left of the strength does not bear what presses it"
             )

@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.polyhedra import measures
-from masonry.errors import Stopped
+from masonry.errors import MovedTooFar
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
@@ -19,7 +19,7 @@ class Openings(Observer):
         self.extent = thinner(model)
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        """Raise Stopped if a contact crushed by more than a tenth of a block."""
+        """Raise MovedTooFar if a contact crushed by more than a tenth of a block."""
         opening = view.seen.opening
         require_bearing(model, self.extent, step)
         return {
@@ -35,14 +35,14 @@ def closed(model: Model, opening: np.ndarray) -> np.ndarray:
 
 
 def require_bearing(model: Model, extent: np.ndarray, step: int) -> None:
-    """Raise Stopped, naming the contact that crushed most, where that is too much; extent (C,) m as of `thinner`."""
+    """Raise MovedTooFar, naming the contact that crushed most, where that is too much; extent (C,) m: `thinner`."""
     crushed = model.state.crushed
     if crushed is None:
         return
     share = crushed[:, 0] / extent
     worst = int(np.argmax(share))
     if share[worst] > CRUSHED:
-        raise Stopped(
+        raise MovedTooFar(
             f"step {step}: {model.contact(worst)} has crushed by {crushed[worst, 0]:.3g} m, {share[worst]:.3g} of the "
             "thinner of its blocks: what is left of its strength does not bear what presses it"
         )

@@ -7,7 +7,7 @@ import numpy as np
 
 from geometry.jit_cache import compiled
 from geometry.joints.extents import joint_extents
-from masonry.errors import Stopped
+from masonry.errors import MovedTooFar
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 
@@ -41,12 +41,12 @@ class Slide(Observer):
         self.sticking = np.where(np.array(sticks, dtype=bool)[model.group], self.least, np.nan)  # nan: never further
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        """Raise Stopped if a contact slid by more than the limit."""
+        """Raise MovedTooFar if a contact slid by more than the limit."""
         joint = self.sticking, self.least, self.glued, self.axes, self.extent
         reached, worst = farthest(tuple(view.seen), self.largest, joint, model.contacts.sides, model.contacts.u)
         self.largest = max(self.largest, reached)
         if reached > self.limit:
-            raise Stopped(
+            raise MovedTooFar(
                 f"step {step}: {model.contact(worst)} has slid by {view.seen.slip[worst]:.3g} m, {reached:.3g} of the "
                 f"extent of its joint, more than solver.slip_limit = {self.limit:g}; contacts keep the place and the "
                 "area that they begin with"

@@ -220,6 +220,7 @@ class CollapseBranch(Record):
     near_to_m: float = 0.0
     reached_m: float = 0.0
     factor_at_end: float = 0.0
+    factor_max: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,6 +230,24 @@ class LoadLoops(Record):
     gauge: str = ""
     history: list[float] = field(default_factory=list)
     leg: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class CaughtFallRecord(Record):
+    """A fall that came to rest: from which factor on, how far (m), and which block moved most."""
+
+    borne: float = 0.0
+    falls: float = 0.0
+    travel_m: float = 0.0
+    block: int = 0
+
+    @property
+    def words(self) -> str:
+        """A line for an engineer."""
+        return (
+            f"{self.borne:.6g} is borne before it moves; at {self.falls:.6g} it moves by {1e3 * self.travel_m:.4g} mm "
+            f"(block {self.block}) and rests"
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,6 +266,10 @@ class CollapseLoad(Record):
     first: int = 0
     sets: list[str] = field(default_factory=list)
     moved: list[float] = field(default_factory=list)
+    travel_m: float | None = None
+    moves_from: float | None = None
+    caught: list[CaughtFallRecord] | None = list_of(CaughtFallRecord)
+    later_m: float | None = None
     branch: CollapseBranch | None = one_of(CollapseBranch)
     loops: LoadLoops | None = one_of(LoadLoops)
 

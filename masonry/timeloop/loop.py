@@ -11,7 +11,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.configuration.setting_off import damp, set_off
-from masonry.errors import TurnedTooFar
+from masonry.errors import MovedTooFar, TurnedTooFar
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse
@@ -198,8 +198,13 @@ class Loop:
         view = View(now.seen, terms, before, load_factors, settling, rotation, now.least, now.longest)
         observed: dict[str, float] = {}
         stood = not self.has_fallen
-        for observer in self.observers.values():
-            observed |= observer.look(model, view, step)
+        try:
+            for observer in self.observers.values():
+                observed |= observer.look(model, view, step)
+        except MovedTooFar:
+            if not self.loading.moved_too_far():
+                raise
+            observed, frame_due = {key: values[-1] for key, values in self.observed.items()} | observed, True
         row = {
             **self.drive(step, load_factors),
             **terms,

@@ -185,6 +185,8 @@ def test_a_number_is_no_doubt_of_a_run_that_it_says_nothing_of(summary, numbers)
             "in 1 of the trials the specimen neither came to rest nor gathered speed",
         ),
         (GROWN, {"collapse_load__falls_by_turning": True}, "at the factor that is not borne a block turned by more"),
+        (GROWN, {"collapse_load__later_m": 0.3}, "what fell was followed for 0 mm, and a bar that hangs slack bears"),
+        (LED, {"collapse_load__branch__ends": "too far"}, "blocks had crushed, slid or met too far to go on where"),
         (LED, {"collapse_load__branch__leaps": 2}, "the specimen leapt ahead of gauge 'top' 2 times"),
         (LED, {"collapse_load__branch__ends": "stays"}, "the collapse hardly moves gauge 'top'"),
         (LED, {"collapse_load__branch__ends": "other way"}, "the collapse moves gauge 'top' away from limit.until"),
@@ -204,6 +206,15 @@ def test_what_has_no_limit_is_one_doubt(summary, numbers, words):
     ends = "stopped" if numbers.keys() & {"interrupted", "stopped"} else "with care"
     doubt = only_doubt(with_numbers(summary, **numbers), ends)
     assert doubt.sentence.startswith(words) and (doubt.limit is None or doubt.name == "undecided_trials")
+
+
+@pytest.mark.parametrize("accuracy", [0.005, 0.03])
+def test_a_load_that_rises_again_behind_the_collapse_is_a_doubt_beyond_twice_the_accuracy(accuracy):
+    most = [1.01 * (1.0 + 2.0 * share * accuracy) for share in (0.99, 1.01)]
+    numbers = {"collapse_load__accuracy": accuracy, "collapse_load__branch__out_of_balance_max": 0.0}
+    below, above = (with_numbers(LED, collapse_load__branch__factor_max=factor, **numbers) for factor in most)
+    assert is_sound(below) and only_doubt(above).name == "branch_rises"
+    assert only_doubt(above).sentence.startswith("behind the collapse the load rises again, by ")
 
 
 def test_a_leg_to_the_other_side_may_fall_at_once():

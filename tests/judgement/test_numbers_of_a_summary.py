@@ -10,6 +10,7 @@ import pytest
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.laboratory.summary.extremes import rise_at_end
 from masonry.laboratory.summary.run_summary import summarise
+from masonry.loading.collapse.catching import CaughtFall
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.monitors.events import Event
@@ -199,7 +200,12 @@ def test_blocks_that_move_by_a_twentieth_of_the_fastest_belong_to_the_mechanism(
         freely=False,
         mechanism=np.array([0.0505, 0.0495, 1.0]),
         branch=None,
+        travel=0.04,
+        caught=(CaughtFall(0.3, 0.31, 5e-3, 2), CaughtFall(0.4, 0.41, 8e-3, 1)),
+        later=None,
     )
     numbers = outcome.collapse_load({}, sets)
     assert (numbers["moving"], numbers["first"], numbers["sets"]) == (2, 2, ["all", "top"])
     assert (numbers["borne"], numbers["falls"], numbers["trials"], numbers["swayed_over_block"]) == (0.5, 0.6, 7, 1e-3)
+    assert (numbers["travel_m"], numbers["moves_from"], numbers["later_m"]) == (0.04, 0.3, None)
+    assert numbers["caught"][1] == {"borne": 0.4, "falls": 0.41, "travel_m": 8e-3, "block": 1}

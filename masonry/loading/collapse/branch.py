@@ -25,10 +25,10 @@ from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.runtime.state_file import Remembering, Remembers, State, attributes
 
-UNTIL, ZERO, MOST, AWAY, TURNED, LATE = "until", "zero", "up_to", "runs away", "turned", "late"
+UNTIL, ZERO, MOST, AWAY, TURNED, FAR, LATE = "until", "zero", "up_to", "runs away", "turned", "too far", "late"
 """How a branch ends: the gauge is where it was to be led to; the factor is 0; or the greatest that the scene allows;
-the gauge runs away although nothing pushes; a block has turned further than small displacement allows; it takes too
-long."""
+the gauge runs away although nothing pushes; a block has turned further than small displacement allows; blocks have
+crushed, slid or met further than can be told; it takes too long."""
 STAYS, OTHER_DIRECTION, NOTHING, PASSED = "stays", "other way", "nothing", "passed"
 """Why there is none: the collapse hardly moves the gauge, or moves it the other way; nothing resists the load; at the
 last rest the gauge reads more than that to which it is to be led."""
@@ -88,7 +88,7 @@ class Branch(Remembering):
         was not, is the mechanism. The specimen has then to be put back."""
         mechanism = moved_since(self.model, rested)
         self.gauge.begin(rested)
-        moves = self.gauge.read()
+        moves, self.ends = self.gauge.read(), ""
         far = max(reach(one[:, :3]) for one in mechanism.values())
         self.servo.gain = moves * self.pushed(mechanism, stands) / max(self.inertia(mechanism), 1e-300)
         if stands <= 0.0:
@@ -140,9 +140,9 @@ class Branch(Remembering):
         self.look(before)
         return True
 
-    def turn(self) -> None:
-        """A block has turned further than small displacement allows."""
-        self.ends = self.ends or TURNED
+    def leave(self, ends: str) -> None:
+        """A block has turned or moved further than the run can tell what follows."""
+        self.ends = self.ends or ends
 
     def end(self) -> str:
         """How the branch ends here, if it does."""

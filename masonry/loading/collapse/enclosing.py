@@ -23,14 +23,15 @@ class Enclosing(Remembering):
 
     leg     number of the present one; what follows are factors less that at its start, along it:
     stands  the greatest that was borne     falls  the least that was not; inf if none     target  what is tried
+    done    in thousandths, how far the first of its falls was known, where that came to rest: what follows is the rest
     """
 
-    REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials")
+    REMEMBERED = ("leg", "stands", "falls", "target", "increment", "greatest", "trials", "done")
 
     def __init__(self, path: FactorPath, least: float, settings: GrowingSettings) -> None:
         """least: factor below which a load is none"""
         self.path, self.settings, self.least = path, settings, max(least, LEAST)
-        self.leg = self.trials = 0
+        self.leg = self.trials = self.done = 0
         self.stands = self.target = self.greatest = 0.0
         self.falls, self.increment = inf, min(self.longest, path.legs[0].length)
 
@@ -90,6 +91,12 @@ class Enclosing(Remembering):
         self.falls = self.target
         return True
 
+    def catch(self) -> None:
+        """What was not borne is, after a fall that came to rest."""
+        self.done = self.progress()
+        self.stands, self.falls = max(self.target, self.falls), inf
+        self.increment = 0.5 * self.path.accuracy * self.stands
+
     def go_on(self) -> bool:
         """By how much to raise the factor from here, on this leg or the next; False where the load has come to its
         end. Where the factor is known, what follows is the fall."""
@@ -115,6 +122,7 @@ class Enclosing(Remembering):
         if self.path.reversals:
             done = sum(leg.length for leg in self.path.legs[: self.leg]) + self.stands
             return int(999 * done / self.path.length)
-        if self.falls == inf:
-            return 500 * self.trials // (self.trials + 20)
-        return 500 + int(450 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0))))
+        share = 0.5 * self.trials / (self.trials + 20)
+        if self.falls < inf:
+            share = 0.5 + 0.45 / (1.0 + log(max((self.falls - self.stands) / self.narrow, 1.0)))
+        return self.done + int((1000 - self.done) * share)

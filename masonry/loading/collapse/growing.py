@@ -52,12 +52,14 @@ class Growing(PacedPlan):
 
     pattern     what the factor multiplies, in a word of the scene
     loops_over  the gauge over which the loops of a load that goes to and fro are seen
+    travel      m, after which what has not come to rest has fallen; None: as the settings say
     """
 
     path: FactorPath
     pattern: str = "weight"
     control: Control | None = None
     loops_over: str | None = None
+    travel: float | None = None
 
     @property
     def trials(self) -> int:
@@ -114,7 +116,8 @@ class GrowingLoading(Loading):
         if plan.control is not None:
             gauge = next(gauge for gauge in gauges if gauge.name == plan.control.gauge)
             branch = Branch(model, plan.path, gauge, plan.control.until)
-        self.trials = Trials(model, load, settling, branch, Tally(plan.settle // 4), gauges, settings)
+        tally = Tally(plan.settle // 4)
+        self.trials = Trials(model, load, settling, branch, tally, gauges, settings, plan.travel)
         self.phase: Phase = SettlingPhase(self.trials)
         self.turned = False
 
@@ -136,6 +139,13 @@ class GrowingLoading(Loading):
         or of the fall that is followed."""
         self.turned = self.phase.bears_turns
         return self.turned
+
+    def moved_too_far(self) -> bool:
+        """The end of the fall that is followed, or of the branch behind it."""
+        ends = self.phase.bears_distance
+        if ends:
+            self.phase = self.phase.moved()
+        return ends
 
     def load_factors(self) -> np.ndarray:
         """(L + H,) of the loads that come on in layers, and of those that grow, now."""
@@ -181,6 +191,9 @@ class GrowingLoading(Loading):
             swayed=tally.swayed / trials.travels.size,
             freely=trials.freely,
             mechanism=trials.travels.relative(),
+            travel=trials.catching.travel,
+            caught=trials.catching.falls,
+            later=trials.catching.later or None if self.plan.travel is None else None,
             branch=None if trials.branch is None else trials.branch.outcome(),
         )
 

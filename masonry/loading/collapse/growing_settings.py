@@ -30,7 +30,12 @@ class GrowingSettings:
                brought it to rest so far, where that is more. Of a block that moves while the sum over all is at rest
                both are its own
     fall       of the smallest block: motion to which the fall is followed, and `fall_looks`, looks that it may take: it
-               shows who moves; `far` and `far_looks` where blocks may turn as far as they like
+               shows who moves; `far` and `far_looks` where blocks may turn as far as they like. Where something may
+               catch it, it is followed on, for `looks_on` looks at most and with a row in each `row_of`, until it has
+               moved by `far`, or `slack` times the largest slack of a bar, where a scene does not say how far. It has
+               `stalled` after so many looks in which it came no `onward` share farther
+    leaps      of the smallest block: a way to a rest that is a fall, where something bears there that did not before,
+               and `usual` is less
     """
 
     first: float = 0.0103
@@ -58,6 +63,12 @@ class GrowingSettings:
     far: float = 0.3
     fall_looks: int = 200
     far_looks: int = 2000
+    looks_on: int = 40_000
+    row_of: int = 20
+    slack: float = 2.0
+    stalled: int = 50
+    onward: float = 1e-3
+    leaps: float = 5e-4
 
     def to_and_fro(self, accuracy: float) -> float:
         """The longest increment of a load that goes to and fro, over all that its factor goes through."""

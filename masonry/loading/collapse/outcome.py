@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from masonry.loading.collapse.catching import CaughtFall
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.loading import LoadingOutcome, Rows
 from masonry.rows.columns import FACTOR
@@ -29,8 +30,13 @@ class BranchOutcome:
     near_to_m: float
 
     def summary(self, rows: Rows) -> dict[str, Any]:
-        """All of it, and where the rows end."""
-        return asdict(self) | {"reached_m": float(rows[self.gauge][-1]), "factor_at_end": float(rows[FACTOR][-1])}
+        """All of it, where the rows end, and the largest factor behind the collapse."""
+        factors = rows[FACTOR][rows["step"] > rows["step"][-1] - self.steps]
+        return asdict(self) | {
+            "reached_m": float(rows[self.gauge][-1]),
+            "factor_at_end": float(rows[FACTOR][-1]),
+            "factor_max": float(factors.max(initial=0.0)),
+        }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +49,8 @@ class CollapseOutcome(LoadingOutcome):
     freely            whether blocks turn as far as they like
     mechanism         (B,) how far each block moved at the end, over the one that moved most
     branch            what became of the gauge that was to be led on behind the collapse; None without one
+    travel            m, after which what has not come to rest has fallen     caught  falls that came to rest before
+    later             m, the travel after which the last fall came to rest, or a slack bar would have borne; None: none
     """
 
     pattern: str
@@ -58,6 +66,9 @@ class CollapseOutcome(LoadingOutcome):
     freely: bool
     mechanism: np.ndarray
     branch: BranchOutcome | None
+    travel: float
+    caught: tuple[CaughtFall, ...]
+    later: float | None
 
     def control(self) -> dict[str, float]:
         """The interval, and how it was found; `factor_falls` is missing where nothing fell."""
@@ -89,6 +100,10 @@ class CollapseOutcome(LoadingOutcome):
             "first": first,
             "sets": sorted(name for name, members in sets.items() if first in members),
             "moved": self.mechanism.tolist(),
+            "travel_m": self.travel,
+            "moves_from": self.caught[0].borne if self.caught else None,
+            "caught": [fall._asdict() for fall in self.caught],
+            "later_m": self.later,
             **({} if self.branch is None else {"branch": self.branch.summary(rows)}),
             **({"loops": loops} if self.path.reversals else {}),
         }

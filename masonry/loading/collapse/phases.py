@@ -4,7 +4,7 @@ settling   the dead loads settle                          then rising
 rising     the factor goes to the one that is tried       then waiting, unless the specimen falls already
 waiting    the factor stays, the specimen is watched      then showing, unless it falls or takes too long
 showing    a row shows the rest                           then rising to the next factor, or the end
-dropping   the fall is followed, to show who moves        then the end
+dropping   the fall is followed, to show who moves        then the end, or showing where it comes to rest
 leading    a gauge is led on behind the collapse          then the end
 
 Where the specimen falls, the model goes back to its last rest, and rising begins again by half as much, until the
@@ -16,10 +16,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from masonry.configuration import energy
 from masonry.configuration.chunk import Chunk
+from masonry.loading.collapse.branch import FAR, TURNED
 from masonry.loading.collapse.trials import Trials
-from masonry.monitors.settling import unbalanced
 from masonry.runtime.state_file import Remembering
 
 
@@ -28,10 +27,12 @@ class Phase(Remembering, ABC):
 
     name          by which a checkpoint knows it
     bears_turns   whether a block that turns too far ends the phase, and not the run
+    bears_distance  the same of blocks that have crushed, slid or met further than can be told
     """
 
     name: ClassVar[str]
     bears_turns: ClassVar[bool] = False
+    bears_distance = False
 
     def __init__(self, trials: Trials) -> None:
         self.trials, self.settings = trials, trials.settings
@@ -51,6 +52,10 @@ class Phase(Remembering, ABC):
     def turned(self) -> "Phase":
         """The next phase, where a block has turned too far."""
         return self
+
+    def moved(self) -> "Phase":
+        """The next phase, where blocks have crushed, slid or met too far."""
+        return self.turned()
 
 
 class SettlingPhase(Phase):
@@ -119,8 +124,7 @@ class WaitingPhase(Phase):
         alone = self.count_rest(before)
         travels, watch = trials.travels, trials.watch
         if self.calm >= self.trials.rest_level.looks:
-            trials.bear()
-            return ShowingPhase(trials)
+            return rested(trials)
         if travels.travelled > travels.away or travels.fallen():
             return not_borne(trials)
         if watch.falls(before, trials.rest.copies, travels.travelled, travels.alone_or_none(alone)):
@@ -132,13 +136,8 @@ class WaitingPhase(Phase):
 
     def count_rest(self, before: list[np.ndarray]) -> bool:
         """Count looks at which all rests; returns whether the sum over all does, and a block or a gauge does not."""
-        model, level = self.trials.model, self.trials.rest_level
-        rests = unbalanced(model, before) <= level.force
-        if rests:
-            now = energy.observe(model)
-            rests = abs(energy.kinetic(model, before)) <= level.energy * now.stored
-        alone = rests and self.trials.travels.moves_alone(before, self.calm)
-        self.calm = self.calm + 1 if rests and not alone else 0
+        rests, alone = self.trials.rests(before, self.calm)
+        self.calm = self.calm + 1 if rests else 0
         return alone
 
     def turned(self) -> Phase:
@@ -162,29 +161,79 @@ class ShowingPhase(Phase):
 
 
 class DroppingPhase(Phase):
-    """The fall is followed, to show who moves. looked: looks so far"""
+    """The fall is followed, to show who moves, and on for as long as something may catch it.
 
-    name, bears_turns, REMEMBERED = "dropping", True, ("looked",)
+    looked  looks so far     calm  looks on end at which it rested
+    farthest, idle  m, how far it has come, and looks since
+    next_question   look from which on it is asked whether anything may catch it
+    """
+
+    name, bears_turns = "dropping", True
+    bears_distance = True
+    REMEMBERED = ("looked", "calm", "farthest", "idle", "next_question")
 
     def __init__(self, trials: Trials) -> None:
         super().__init__(trials)
-        self.looked, settings = 0, trials.settings
+        self.looked = self.calm = self.idle = self.next_question = 0
+        self.farthest, settings = 0.0, trials.settings
         far, self.most_looks = settings.fall, settings.fall_looks
         if trials.freely:
             far, self.most_looks = settings.far, settings.far_looks
         self.far = trials.travels.size * far
 
     def chunk(self) -> Chunk:
-        """At the factor that was tried, as the specimen may have fallen before that was there; each look is a row."""
-        return self.trials.load.pass_to(self.trials.enclosing.tried, self.settings.look, row=True)
+        """At the factor that was tried, as the specimen may have fallen before that was there; each look is a row until
+        it has shown who moves."""
+        row = self.looked < self.most_looks or self.looked % self.settings.row_of == 0
+        return self.trials.load.pass_to(self.trials.enclosing.tried, self.settings.look, row)
 
     def look(self, before: list[np.ndarray]) -> Phase:
-        """Until it has shown who moves."""
+        """Until it rests, or has shown who moves and nothing can catch it any more."""
         trials = self.trials
         trials.look()
         self.looked += 1
-        trials.watch.brake(before, trials.travels.alone_or_none())
-        return EndPhase(trials) if self.shown or self.looked >= self.most_looks else self
+        if trials.watch.brake(before, trials.travels.alone_or_none()) < 0.0:
+            trials.watch.drag()
+        self.calm = self.calm + 1 if trials.rests(before, self.calm)[0] else 0
+        if self.calm >= trials.rest_level.looks:
+            return self.rested()
+        self.count_idle()
+        if not (self.shown or self.looked >= self.most_looks):
+            return self
+        return self if self.goes_on() else EndPhase(trials)
+
+    def rested(self) -> Phase:
+        """The fall is none, or came to rest beyond the travel that ends one."""
+        trials = self.trials
+        if trials.travels.travelled > trials.catching.travel:
+            trials.catching.later = trials.travels.travelled
+            return EndPhase(trials)
+        trials.catch()
+        return ShowingPhase(trials)
+
+    def count_idle(self) -> None:
+        """Count looks in which it came no farther."""
+        travelled = self.trials.travels.travelled
+        self.idle += 1
+        if travelled > (1.0 + self.settings.onward) * self.farthest:
+            self.farthest, self.idle = travelled, 0
+
+    def goes_on(self) -> bool:
+        """Whether it may still come to rest within the travel that ends a fall; asked now and then, where it falls."""
+        trials, settings, travelled = self.trials, self.settings, self.trials.travels.travelled
+        if trials.branch is not None:
+            return False
+        is_within = travelled <= trials.catching.travel
+        if is_within and self.looked >= settings.looks_on:
+            trials.tally.undecided += 1
+            return False
+        if is_within and (self.idle >= settings.stalled or self.looked < self.next_question):
+            return True
+        self.next_question = self.looked + settings.stalled
+        comes = trials.catching.may_come(trials.rest.copies, travelled)
+        if comes:
+            trials.push_on()
+        return comes and is_within
 
     @property
     def shown(self) -> bool:
@@ -203,6 +252,7 @@ class LeadingPhase(Phase):
     """A gauge is led on behind the collapse."""
 
     name, bears_turns = "leading", True
+    bears_distance = True
 
     def __init__(self, trials: Trials) -> None:
         super().__init__(trials)
@@ -220,14 +270,23 @@ class LeadingPhase(Phase):
 
     def turned(self) -> Phase:
         """The branch ends there."""
-        self.branch.turn()
+        self.branch.leave(TURNED)
+        return EndPhase(self.trials)
+
+    def moved(self) -> Phase:
+        """So it does where blocks have moved too far."""
+        self.branch.leave(FAR)
         return EndPhase(self.trials)
 
 
 class EndPhase(Phase):
-    """Nothing follows."""
+    """Nothing follows: a fall has ended, or the load has come to its end `at_rest`."""
 
     name = "end"
+
+    def __init__(self, trials: Trials, at_rest: bool = False) -> None:
+        super().__init__(trials)
+        self.bears_distance = not at_rest
 
     def chunk(self) -> None:
         """There is none."""
@@ -248,7 +307,21 @@ def rising(trials: Trials) -> Phase:
 
 def next_trial(trials: Trials) -> Phase:
     """The next trial, after a rest, or the end of the path."""
-    return rising(trials) if trials.enclosing.go_on() else EndPhase(trials)
+    return rising(trials) if trials.enclosing.go_on() else EndPhase(trials, at_rest=True)
+
+
+def rested(trials: Trials) -> Phase:
+    """The specimen has come to rest: the factor is borne, unless it fell on the way, and it is not known yet at which
+    factor that begins."""
+    if not trials.leapt:
+        trials.bear()
+        return ShowingPhase(trials)
+    trials.fail(turning=False)
+    if trials.enclosing.is_narrow:
+        trials.catch()
+        return ShowingPhase(trials)
+    trials.put_back()
+    return next_trial(trials)
 
 
 def not_borne(trials: Trials, turning: bool = False) -> Phase:

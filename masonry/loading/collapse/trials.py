@@ -6,6 +6,7 @@ from masonry.configuration import energy, model_state
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
 from masonry.loading.collapse.branch import Branch
+from masonry.loading.collapse.catching import Catching
 from masonry.loading.collapse.enclosing import Enclosing
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing_settings import GrowingSettings
@@ -17,6 +18,7 @@ from masonry.loading.moves.travels import Limits, Travels
 from masonry.loading.varying_loads import SharedLoads
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
+from masonry.monitors.settling import unbalanced
 from masonry.rows.rest_criterion import RestCriterion
 from masonry.runtime.state_file import Remembering, Remembers, attributes
 
@@ -79,7 +81,8 @@ class Trials(Remembering):
     load, path      what is raised, and where to     settling  of the dead loads before
     rest, travels   where it rested last, and how far it has moved since
     enclosing       what was borne, what was not, what is tried     pace  how slowly, where the load goes to and fro
-    watch           whether it falls     branch  behind the collapse; None where no gauge is led
+    watch           whether it falls     catching  what may end a fall
+    branch          behind the collapse; None where no gauge is led
     freely          whether blocks turn as far as they like
     """
 
@@ -92,19 +95,28 @@ class Trials(Remembering):
         tally: Tally,
         gauges: tuple[Gauge, ...],
         settings: GrowingSettings,
+        travel: float | None,
     ) -> None:
+        """travel: m, after which what has not come to rest has fallen; None: as the settings say"""
         self.model, self.load, self.path, self.settling, self.settings = model, load, load.path, settling, settings
         limits = Limits(self.rest_level, settings.reading, settings.away, settings.usual)
         self.travels = Travels(model, limits, gauges)
         least = self.rest_level.force * load.loads.rest_over_each()
         self.enclosing, self.pace = Enclosing(self.path, least, settings), Pace(self.path.accuracy, settings)
         self.rest, self.watch, self.branch, self.tally = LastRest(model), FallWatch(model, settings), branch, tally
+        self.catching = Catching(model, self.usual_travel if travel is None else travel)
         self.freely = configuration_of(model).any_size
 
     @property
     def rest_level(self) -> RestCriterion:
         """Below which the specimen rests, and the factor is borne."""
         return self.settings.rest.with_share(self.path.accuracy)
+
+    @property
+    def usual_travel(self) -> float:
+        """m, after which what has not come to rest has fallen, where a scene does not say."""
+        slack = 0.0 if self.model.bars is None else float(self.model.bars.slack.max(initial=0.0))
+        return min(max(self.settings.far * self.travels.size, self.settings.slack * slack), self.travels.size)
 
     @property
     def window(self) -> int:
@@ -116,10 +128,11 @@ class Trials(Remembering):
         """Looks in which the factor rises to the one that is tried."""
         return round(self.pace.slower * self.window)
 
-    def keep(self) -> None:
-        """The specimen rests here: trials begin from here."""
+    def keep(self, fell: bool = False) -> None:
+        """The specimen rests here: trials begin from here. fell: after a fall"""
         self.rest.keep()
-        self.travels.rest()
+        self.travels.rest(fell)
+        self.catching.rest()
 
     def begin(self) -> None:
         """Set out for a higher factor."""
@@ -145,6 +158,41 @@ class Trials(Remembering):
         self.tally.swayed = self.travels.sways()
         self.keep()
 
+    def rests(self, before: list[np.ndarray], calm: int) -> tuple[bool, bool]:
+        """Whether all rests, for the `calm`-th time on end; and whether the sum over all does, and a block or a gauge
+        does not."""
+        model, level = self.model, self.rest_level
+        rests = unbalanced(model, before) <= level.force
+        if rests:
+            now = energy.observe(model)
+            rests = abs(energy.kinetic(model, before)) <= level.energy * now.stored
+        alone = rests and self.travels.moves_alone(before, calm)
+        return rests and not alone, alone
+
+    @property
+    def leapt(self) -> bool:
+        """Whether the rest to which the specimen has come is that of a fall, by how far it is from the last one, and as
+        something bears that did not."""
+        settings, travels = self.settings, self.travels
+        far = max(settings.leaps * travels.size, settings.usual * travels.most)
+        return travels.travelled > far and self.branch is None and self.catching.bears_anew()
+
+    def catch(self) -> None:
+        """The fall has come to rest: the next trial goes on from here."""
+        enclosing, travels = self.enclosing, self.travels
+        borne = enclosing.borne if abs(enclosing.borne) > enclosing.least else 0.0
+        assert enclosing.fallen is not None
+        self.catching.caught.append([borne, enclosing.fallen, travels.travelled, travels.first()])
+        enclosing.catch()
+        self.watch.drag()
+        self.tally.swayed, self.tally.falls_by_turning = travels.sways(), False
+        self.keep(fell=True)
+
+    def push_on(self) -> None:
+        """What nothing resists falls under some load, where something may catch it."""
+        if self.enclosing.stands <= self.enclosing.least:
+            self.enclosing.target = max(self.enclosing.target, self.settings.first)
+
     def fail(self, turning: bool) -> None:
         """The factor is not borne; `turning`: as a block turned too far."""
         if self.enclosing.fail():
@@ -163,5 +211,5 @@ class Trials(Remembering):
 
     def parts(self) -> dict[str, Remembers]:
         """All that the next chunk depends on."""
-        names = ("settling", "load", "rest", "travels", "enclosing", "pace", "watch", "tally")
+        names = ("settling", "load", "rest", "travels", "enclosing", "pace", "watch", "catching", "tally")
         return attributes(self, names) | ({} if self.branch is None else {"branch": self.branch})

@@ -56,10 +56,11 @@ class Travels:
         """Take in how far anything has moved since the last rest."""
         self.travelled = max(map(reach, self.moved()))
 
-    def rest(self) -> None:
-        """All rests here: trials begin from here."""
-        self.most = max(self.most, self.travelled)
-        self.usual = np.maximum(self.usual, self.by_block())
+    def rest(self, fell: bool = False) -> None:
+        """All rests here: trials begin from here. fell: how far it came is not usual"""
+        if not fell:
+            self.most = max(self.most, self.travelled)
+            self.usual = np.maximum(self.usual, self.by_block())
         self.places = places(self.model, self.size)
         self.begin()
 
@@ -103,6 +104,10 @@ class Travels:
         away = times * np.maximum(self.limits.away * size, self.limits.usual * usual)
         away = np.minimum(away, np.maximum(SLIDES * size, TWICE * usual))
         return bool((self.by_block() > away)[self.alone].any())
+
+    def first(self) -> int:
+        """The block that has moved most since the last rest."""
+        return int(self.relative().argmax())
 
     def relative(self) -> np.ndarray:
         """(B,) how far each block has moved since the last rest, over the one that moved most; zeros where none did."""

@@ -11,7 +11,7 @@ from geometry.polyhedra.box_pairs import overlapping_boxes
 from geometry.polyhedra.intersect import are_convex
 from geometry.polyhedra.measures import bounds, extent, face_areas_normals_centroids
 from geometry.polyhedra.overlaps import overlap, widest_gaps
-from masonry.errors import Stopped
+from masonry.errors import MovedTooFar
 from masonry.model.model import Model
 from masonry.monitors.collisions.block_corners import Corners, move
 from masonry.monitors.frames import compile_frame
@@ -62,7 +62,7 @@ class Collision(Observer):
         self.corners = Corners(model)
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        """Raise Stopped where two blocks overlap."""
+        """Raise MovedTooFar where two blocks overlap."""
         if not self.alone:
             self._look(step, view.seen.opening, view.rotation)
         return {}
@@ -130,13 +130,13 @@ class Collision(Observer):
         low, high = (values[[one, two]] for values in bounds(moved))
         place = ", ".join(f"{x:.4g}" for x in (low.max(axis=0) + high.min(axis=0)) / 2)
         words = f"{self._name(one)} and {self._name(two)} meet around ({place}) m, where they have no joint"
+        self.words = self.words or f"{words}, from step {step} on"
         if self.codes[n] in self.met or not self.touching[n]:
-            raise Stopped(
+            raise MovedTooFar(
                 f"step {step}: {words}; contacts are found once, before the run, so nothing would hold them apart: "
                 "end the drive before, or let them touch from the beginning"
             )
         self.met = np.append(self.met, self.codes[n])
-        self.words = self.words or f"{words}, from step {step} on"
 
     def _name(self, block: int) -> str:
         """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""

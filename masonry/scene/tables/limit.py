@@ -7,7 +7,7 @@ from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 from masonry.scene.tables.gravity_and_floor import Coordinate
 from masonry.scene.tables.load_history import read_factors
 from masonry.scene.tables.loads_and_supports import accuracy_share
-from masonry.scene.tables.types import Direction, Given, KeyedError, Selector, StressVector, Table
+from masonry.scene.tables.types import Direction, Gap, Given, KeyedError, Selector, StressVector, Table
 
 Force = Annotated[float, Given("force", "[-1e15, 1e15]")]
 KEYS = {
@@ -22,7 +22,7 @@ KEYS = {
 OPTIONAL = ("at",)
 LEFT_OUT = "none"
 """The accuracy of a load that runs leave out on purpose."""
-OF_RUNS = ("accuracy", "up_to", "control", "until", "history")
+OF_RUNS = ("accuracy", "up_to", "travel", "control", "until", "history")
 """Keys of runs that drive the load to collapse, and beyond it, or to and fro, with any pattern but "drive"."""
 EXAMPLES = {
     "direction": 'direction = "x"',
@@ -73,9 +73,9 @@ ForceVector = Annotated[ForceTable, BeforeValidator(_directions), PlainSerialize
 class LimitLoad(Table):
     """The load that the factor multiplies, by its pattern: the weight in another direction, gravity turned about an
     axis, a force on blocks, a traction on a face, what the drive pushes with, or the axles of a vehicle. With an
-    accuracy a run lets it grow until nothing balances it, up to a factor at most; a gauge to control is then led on
-    until it reads so much. Or the load goes to and fro, through the factors of a history. With the accuracy "none" runs
-    leave it out on purpose."""
+    accuracy a run lets it grow until nothing balances it, up to a factor at most: what moves and rests again within a
+    travel has not fallen. A gauge to control is then led on until it reads so much. Or the load goes to and fro,
+    through the factors of a history. With the accuracy "none" runs leave it out on purpose."""
 
     pattern: Literal["weight", "tilt", "force", "traction", "drive", "vehicle"]
     direction: Direction | None = None
@@ -86,6 +86,7 @@ class LimitLoad(Table):
     stress: StressVector | None = None
     accuracy: Annotated[float | Literal["none"] | None, BeforeValidator(_accuracy)] = None
     up_to: Annotated[float, Given("number", "[1e-6, 1e6]")] | None = None
+    travel: Gap | None = None
     control: Annotated[str, Field(max_length=60)] | None = None
     until: Annotated[float, Given("length", "[-1e5, 1e5]")] | None = None
     history: Annotated[tuple[float, ...] | None, BeforeValidator(read_factors)] = None
@@ -121,14 +122,21 @@ class LimitLoad(Table):
                 raise KeyedError(key, f"missing; pattern = '{self.pattern}' needs it, for example {EXAMPLES[key]}")
         if self.accuracy is not None and self.pattern == "drive":
             raise KeyedError("accuracy", "a run moves the drive by [drive] itself, which has an accuracy; leave it out")
-        if self.run_accuracy is None and self.up_to is not None:
-            raise KeyedError("up_to", "a run whose load grows ends there: that needs accuracy = '1 %'")
+        self._can_end()
         self._can_be_led()
         self._can_turn_back()
         for key in ("force", "stress"):
             if getattr(self, key) is not None and not any(getattr(self, key)):
                 raise KeyedError(key, "is 0 in all directions; give one that is not")
         return self
+
+    def _can_end(self) -> None:
+        if self.run_accuracy is None and self.up_to is not None:
+            raise KeyedError("up_to", "a run whose load grows ends there: that needs accuracy = '1 %'")
+        if self.run_accuracy is None and self.travel is not None:
+            raise KeyedError(
+                "travel", "a run whose load grows takes what moves farther for a fall: that needs accuracy = '1 %'"
+            )
 
     def _can_be_led(self) -> None:
         if (self.control is None) != (self.until is None):

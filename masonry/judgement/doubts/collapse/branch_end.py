@@ -16,6 +16,10 @@ SHORT = {
         "a block turned by more than solver.rotation_limit where {gauge} was at {end:.4g} mm, short of limit.until",
         'take displacements = "large"',
     ),
+    "too far": (
+        "blocks had crushed, slid or met too far to go on where {gauge} was at {end:.4g} mm, short of limit.until",
+        "",
+    ),
     "late": ("{gauge} came no further than {end:.4g} mm in {steps} steps", ""),
 }
 """By how the branch ended: the sentence, and the advice."""

@@ -6,4 +6,5 @@ MEETING = Criterion(
     name="meeting",
     measure=lambda evidence: bool(evidence.summary.get("met")),
     sentence=lambda evidence, _: f"{evidence.summary['met']}: nothing holds them apart",
+    advice=lambda evidence: 'take displacements = "large"' if evidence.grows else "",
 )
