@@ -29,7 +29,7 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
     return Movements(
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),
-        met=outcome.found.get("met", ""),
+        met=outcome.found.get("met", "") or ("" if outcome.stopped else outcome.found.get("met_at_end", "")),
         in_real_time=not assembly.model.scaled if scene.moves_in_time else None,
         free_swings=free_swings(assembly, outcome),
         damping_after_settling=swing_of(scene.damping).words if scene.swings else None,

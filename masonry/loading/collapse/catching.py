@@ -53,7 +53,7 @@ class Catching(Remembering):
     """The falls that came to rest, and what may catch another one.
 
     travel  m, that ends a fall     caught  so far, as CaughtFall     bore  what bore at the last rest, by numbers
-    later   m, the travel of the last fall after which it rested, or a slack bar would have borne; 0 where none would
+    later   m, the travel of the last fall after which a slack bar would have borne; 0 where none would
     """
 
     REMEMBERED = ("caught", "bore", "later")
@@ -84,6 +84,11 @@ class Catching(Remembering):
     def bears_anew(self) -> bool:
         """Whether something bears that did not at the last rest."""
         return not bool(np.isin(self.bearing(), self.bore).all())
+
+    def later_within(self, asked: float | None) -> float | None:
+        """m, the travel after which a slack bar bears that was not waited for; None without one, and where that is more
+        than the travel asked for."""
+        return self.later if self.later > 0.0 and (asked is None or self.later <= asked) else None
 
     def may_come(self, rested: Arrays, travelled: float) -> bool:
         """Whether anything closes before the travel ends, or has closed. rested: the model at the last rest; travelled:

@@ -193,7 +193,7 @@ class GrowingLoading(Loading):
             mechanism=trials.travels.relative(),
             travel=trials.catching.travel,
             caught=trials.catching.falls,
-            later=trials.catching.later or None if self.plan.travel is None else None,
+            later=trials.catching.later_within(self.plan.travel),
             branch=None if trials.branch is None else trials.branch.outcome(),
         )
 

@@ -50,7 +50,7 @@ class CollapseOutcome(LoadingOutcome):
     mechanism         (B,) how far each block moved at the end, over the one that moved most
     branch            what became of the gauge that was to be led on behind the collapse; None without one
     travel            m, after which what has not come to rest has fallen     caught  falls that came to rest before
-    later             m, the travel after which the last fall came to rest, or a slack bar would have borne; None: none
+    later             m, the travel after which a slack bar would have borne the last fall; None: none
     """
 
     pattern: str

@@ -206,7 +206,6 @@ class DroppingPhase(Phase):
         """The fall is none, or came to rest beyond the travel that ends one."""
         trials = self.trials
         if trials.travels.travelled > trials.catching.travel:
-            trials.catching.later = trials.travels.travelled
             return EndPhase(trials)
         trials.catch()
         return ShowingPhase(trials)
@@ -244,7 +243,15 @@ class DroppingPhase(Phase):
         return travels.travelled > self.far
 
     def turned(self) -> Phase:
-        """That is far enough."""
+        """That is far enough, unless something might have caught it yet."""
+        trials = self.trials
+        if trials.catching.may_come(trials.rest.copies, trials.travels.travelled):
+            trials.tally.falls_by_turning = True
+        return EndPhase(trials)
+
+    def moved(self) -> Phase:
+        """That is far enough; whether a bar would bear yet is told."""
+        self.trials.catching.may_come(self.trials.rest.copies, self.trials.travels.travelled)
         return EndPhase(self.trials)
 
 

@@ -48,7 +48,7 @@ class Collision(Observer):
         blocks, layout = model.blocks, model.layout
         self.blocks, self.sets = blocks, sets
         self.joined = joined_pairs(model)
-        self.words, self.met = "", np.zeros(0, dtype=np.int64)
+        self.words, self.last, self.met = "", "", np.zeros(0, dtype=np.int64)
         self.alone = are_all_joined(self.joined, blocks)
         if self.alone:
             return
@@ -68,7 +68,7 @@ class Collision(Observer):
         return {}
 
     def found(self) -> dict[str, Any]:
-        return {"met": self.words}
+        return {"met": self.words, "met_at_end": self.last}
 
     def _look(self, step: int, opening: np.ndarray, rotation: float) -> None:
         """Opening (C,) m of all contacts, rotation: the largest so far, rad."""
@@ -130,13 +130,13 @@ class Collision(Observer):
         low, high = (values[[one, two]] for values in bounds(moved))
         place = ", ".join(f"{x:.4g}" for x in (low.max(axis=0) + high.min(axis=0)) / 2)
         words = f"{self._name(one)} and {self._name(two)} meet around ({place}) m, where they have no joint"
-        self.words = self.words or f"{words}, from step {step} on"
+        self.last = f"{words}, from step {step} on"
         if self.codes[n] in self.met or not self.touching[n]:
             raise MovedTooFar(
                 f"step {step}: {words}; contacts are found once, before the run, so nothing would hold them apart: "
                 "end the drive before, or let them touch from the beginning"
             )
-        self.met = np.append(self.met, self.codes[n])
+        self.met, self.words = np.append(self.met, self.codes[n]), self.words or self.last
 
     def _name(self, block: int) -> str:
         """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""

@@ -4,11 +4,15 @@ import numpy as np
 import pytest
 
 import masonry
+from masonry.assembly.assemble import assemble
+from masonry.configuration import energy, model_state
+from masonry.configuration.configuration import configuration_of
 from masonry.errors import SceneError
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.sentence import moved_before, trust
 from masonry.laboratory.text import summary_text
 from masonry.loading.collapse.catching import closings
+from masonry.runtime import state_file
 from tests.loading.caught.cases import CASES, Case
 from tests.loading.caught.scenes import Bar, Boxed, scene
 
@@ -64,6 +68,48 @@ def test_a_stop_in_small_displacement_is_no_catch_but_the_run_says_that_blocks_m
     assert result.summary["collapse_load"]["falls"] == pytest.approx(0.5, rel=0.005)
     assert result.summary["verdict"] == "with care" and [doubt.name for doubt in result.doubts] == ["meeting"]
     assert "'b' and 'stop' meet around" in trust(result.summary)
+
+
+def test_a_wall_that_turns_too_far_before_its_chain_is_tight_is_told_in_small_displacement():
+    """It would turn by 50 mm over 1.5 m, more than small displacement allows."""
+    wall, chain = Boxed("b", (0.0, 0.0, 0.0), (0.4, 1.0, 2.0)), Bar((0.0, 0.5, 1.5), (-2.0, 0.5, 1.5), 0.05, 4000.0)
+    result = masonry.run(scene(wall, friction=0.7, bars=[chain]))
+    names = {doubt.name for doubt in result.doubts}
+    assert result.summary["verdict"] == "with care" and {"falls_by_turning", "later_rest"} <= names
+    assert result.summary["collapse_load"]["later_m"] == pytest.approx(
+        0.05 / 1.5 * np.hypot(1.02, 0.8 ** (1 / 3)), rel=0.02
+    )
+    assert {doubt.advice for doubt in result.doubts} == {'take displacements = "large"'}
+
+
+def test_a_fall_goes_on_from_a_snapshot_in_its_midst_bit_by_bit(tmp_path):
+    case = next(case for case in CASES if case.name == "one chain after the other")
+    one, other = (assemble(case.scene) for _ in range(2))
+    first, second = (assembly.plan.loading(assembly.model, 100) for assembly in (one, other))
+    while not (first.phase.name == "dropping" and first.phase.looked == 8):
+        advance(one.model, first)
+    state_file.write(tmp_path / "state.npz", {"model": model_state.state(one.model), "loading": first.state()})
+    snapshot = state_file.read(tmp_path / "state.npz")
+    model_state.restore(other.model, snapshot["model"])
+    second.restore(snapshot["loading"])
+    while advance(one.model, first) | advance(other.model, second):
+        pass
+    assert len(first.outcome(0.0).caught) == 2 and second.outcome(0.0).caught == first.outcome(0.0).caught
+    assert second.outcome(0.0).borne == first.outcome(0.0).borne
+    ends = (model_state.state(assembly.model).values() for assembly in (one, other))
+    assert all(np.array_equal(*both) for both in zip(*ends, strict=True))
+
+
+def advance(model, loading) -> bool:
+    """Take a chunk of steps; whether there was one."""
+    chunk = loading.next()
+    if chunk is not None:
+        configuration, force = configuration_of(model), np.zeros(chunk.steps)
+        configuration.advance(chunk, 1, 0, chunk.steps - 1, force)
+        before = energy.velocities(model)
+        configuration.advance(chunk, 1, chunk.steps - 1, 1, force[-1:])
+        loading.feel(0, before)
+    return chunk is not None
 
 
 PRESS = """

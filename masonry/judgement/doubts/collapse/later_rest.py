@@ -1,5 +1,5 @@
 """Would what fell bear again, had it been followed farther? The fall draws tight a bar that hangs slack: when, follows
-from how far it had come. Asked where the scene leaves the travel of a fall to the program (limit.travel).
+from how far it had come. Not asked beyond the travel that a scene gives (limit.travel).
 """
 
 from masonry.judgement.doubt import Criterion
@@ -16,13 +16,20 @@ def later(evidence: Evidence) -> float:
     return evidence.number("collapse_load.later_m") or 0.0
 
 
+def advice(evidence: Evidence) -> str:
+    """A longer travel, or displacements that may be as large."""
+    if later(evidence) <= travel(evidence):
+        return 'take displacements = "large"'
+    return f'where it may move as far, set limit.travel = "{1.5e3 * later(evidence):.3g} mm"'
+
+
 LATER_REST = Criterion(
     name="later_rest",
     measure=later,
     sentence=lambda evidence, value: (
-        f"what fell was followed for {1e3 * travel(evidence):.4g} mm, and a bar that hangs slack bears after about "
-        f"{1e3 * value:.4g} mm: the load that is borne then is not known"
+        f"a bar that hangs slack bears what fell after about {1e3 * value:.4g} mm, farther than that was followed: the "
+        "load that is borne then is not known"
     ),
-    advice=lambda evidence: f'where it may move as far, set limit.travel = "{1.5e3 * later(evidence):.3g} mm"',
+    advice=advice,
     asked_of=lambda evidence: evidence.falls,
 )
