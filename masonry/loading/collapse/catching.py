@@ -85,10 +85,10 @@ class Catching(Remembering):
         """Whether something bears that did not at the last rest."""
         return not bool(np.isin(self.bearing(), self.bore).all())
 
-    def later_within(self, asked: float | None) -> float | None:
+    def later_within(self, limit: float | None) -> float | None:
         """m, the travel after which a slack bar bears that was not waited for; None without one, and where that is more
-        than the travel asked for."""
-        return self.later if self.later > 0.0 and (asked is None or self.later <= asked) else None
+        than a limit."""
+        return self.later if self.later > 0.0 and (limit is None or self.later <= limit) else None
 
     def may_come(self, rested: Arrays, travelled: float) -> bool:
         """Whether anything closes before the travel ends, or has closed. rested: the model at the last rest; travelled:
