@@ -20,6 +20,8 @@ from tests.scenes import load
 
 REAL = '[solver]\nmasses = "real"\nduration = "1 s"\n'
 SIDEWAYS = '[limit]\npattern = "weight"\ndirection = "x"\n'
+LED = SIDEWAYS + 'accuracy = 0.01\ncontrol = "top"\nuntil = "5 mm"\n'
+LED += '[[gauge]]\nname = "top"\nat = "block.z+"\ndirection = "x"\n'
 SHAKES = '[ground]\nx = "0.1 g * sin(2 pi t / 1 s)"\nduration = "2 s"\n'
 RECORD = "[" + ", ".join(f'["{0.1 * k:g} s", "{2 * (k % 2)} mm"]' for k in range(9)) + "]"
 LARGE = {"displacements": "large"}
@@ -100,12 +102,12 @@ def cures() -> dict[str, list[tuple[Scene, list[dict]]]]:
                 (packaged("wall-tied", {"limit.accuracy": 0.01}), [LARGE]),
                 (packaged("shear-wall"), [LARGE]),
             ]
-            for name in ("sway", "falls_by_turning", "came_loose")
+            for name in ("sway", "falls_by_turning", "came_loose", "meeting", "later_rest")
         },
         "branch_end": [
-            (one(SIDEWAYS + 'accuracy = 0.01\ncontrol = "top"\nuntil = "5 mm"\n'
-                 '[[gauge]]\nname = "top"\nat = "block.z+"\ndirection = "x"\n'), [{"limit.until": "-5 mm"}, LARGE]),
-        ],  # fmt: skip
+            (one(LED), [{"limit.until": "-5 mm"}, LARGE]),
+        ],
+        "branch_rises": [(one(LED), [{"limit.control": None, "limit.until": None}])],
         "time_step": [(one('[solver]\nmasses = "real"\nduration = "1 s"\ntime_step = "1 ms"\n'),
                        [{"solver.time_step": "1 us"}, {"solver.time_step": "gershgorin"}])],
         "locking": [(meshed(material__units__poisson_ratio=0.45), [{"kinematics": "affine"}])],

@@ -23,6 +23,6 @@ BRANCH_RISES = Criterion(
     limit=lambda evidence: TIMES * (evidence.number("collapse_load.accuracy") or 0.0),
     sentence="behind the collapse the load rises again, by {percent} of the collapse factor: that is the load of the "
     "first motion, and not all that is borne",
-    advice="leave limit.control out: the run then finds what is borne after that motion",
+    advice="leave limit.control and limit.until out: the run then finds what is borne after that motion",
     asked_of=lambda evidence: bool(evidence.branch) and bool(evidence.branch.get("led")),
 )
