@@ -1,7 +1,7 @@
 """The slowest modes of an oscillator with the energy |B u|^2 / 2 and a mass for each dof."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import scipy.sparse as sparse
@@ -12,9 +12,18 @@ SHIFT = 1e-11
 """Of the stiffest dof's square frequency, by which all are raised, so that what is loose can be solved for."""
 LOOSE = 1e-16
 """Of the same: square frequencies below it are those of parts that nothing holds."""
-BESIDE = 3
-"""Modes that are looked for besides, each time: they show one that is missed among equal frequencies."""
+BESIDE = 8
+"""Vectors of a block besides those that are asked for: it converges with the ratio of what it leaves out to them."""
+APPLIED = 3
+"""Times that a block is solved for before its best vectors are taken anew."""
+ROUNDS = 60
+"""Of that, at most."""
+NEAR, ROUNDED = 1e-9, 1e-14
+"""Residual of a vector over its eigenvalue at which it is taken: the eigenvalue's error is its square. And what
+rounding leaves of it, over the ratio of the largest eigenvalue of the matrix to this one."""
 SEED = 2718
+
+Solve = Callable[[np.ndarray], np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -58,44 +67,54 @@ def slowest(
 
 
 def _vectors(matrix: sparse.csc_array, count: int, shift: float) -> np.ndarray:
-    """(n, m) orthonormal vectors of the `count` smallest eigenvalues, none left out."""
-    size = matrix.shape[0]
-    if size <= max(DENSE, 2 * (count + BESIDE)):
+    """(n, count) orthonormal vectors of the `count` smallest eigenvalues, none left out."""
+    size, width = matrix.shape[0], count + BESIDE
+    if size <= max(DENSE, (APPLIED + 1) * width):
         return np.asarray(np.linalg.eigh(matrix.toarray())[1][:, :count])
-    solve = factorised(matrix, shift)
-    start, none = np.random.default_rng(SEED).standard_normal(size), np.zeros((size, 0))
-    vectors = _largest(solve, none, count, start)
-    while True:  # eigenvalues that are equal, or nearly, may be missed as long as one is left
-        more = _largest(solve, vectors, BESIDE, start[::-1].copy())
-        least = min(_inverse(solve, vector) for vector in vectors.T)
-        missed = [vector for vector in more.T if _inverse(solve, vector) > (1.0 + 1e-9) * least]
-        if not missed:
-            return vectors
-        both = np.linalg.qr(np.column_stack([vectors, *missed]))[0]
-        values, turns = np.linalg.eigh(both.T @ np.column_stack([solve(vector) for vector in both.T]))
-        vectors = both @ turns[:, np.argsort(-values)[:count]]
+    start = np.random.default_rng(SEED).standard_normal((size, width))
+    return dominant(factorised(matrix, shift), start, float(matrix.diagonal().max()))[:, :count]
 
 
-def _largest(solve: Any, known: np.ndarray, count: int, start: np.ndarray) -> np.ndarray:
-    """(n, count) eigenvectors of the inverse of largest eigenvalues, at right angles to what is known (n, m)."""
-    from scipy.sparse.linalg import LinearOperator, eigsh
+def dominant(solve: Solve, start: np.ndarray, top: float) -> np.ndarray:
+    """(n, m) orthonormal eigenvectors of the largest eigenvalues of the inverse that `solve` applies, largest first.
 
-    def beside(vector: np.ndarray) -> np.ndarray:
-        return vector - known @ (known.T @ vector)
+    A block of m vectors (n, m) is replaced by the best m of the space that it, its image, the image of that, ... span
+    (block Krylov method; Golub, Underwood, 1977, in Rice, Mathematical Software III, 361-377). A block meets each of up
+    to m equal eigenvalues with a vector of its own, as a single vector cannot. Within BESIDE of the last they may lag.
+    top  about the largest eigenvalue of the matrix: rounding leaves 1e-16 of it in each solve
+    """
+    block, width = np.linalg.qr(start)[0], start.shape[1]
+    for _ in range(ROUNDS):
+        basis, images = block, solve(block)
+        for _ in range(APPLIED - 1):
+            basis = np.hstack([basis, _beside(images[:, -width:], basis)])
+            images = np.hstack([images, solve(basis[:, -width:])])
+        product = basis.T @ images
+        values, turns = np.linalg.eigh(0.5 * (product + product.T))
+        turns, values = turns[:, : -width - 1 : -1], values[: -width - 1 : -1]
+        block = np.linalg.qr(basis @ turns)[0]
+        rest = images @ turns
+        rest -= block @ (block.T @ rest)
+        counted = slice(0, width - BESIDE)
+        near = values * (NEAR + ROUNDED * np.abs(values) * top)
+        if (np.linalg.norm(rest, axis=0) <= near)[counted].all():
+            break
+    return block
 
-    size = len(start)
-    operator = LinearOperator((size, size), matvec=lambda x: beside(solve(beside(x.ravel()))), dtype=float)
-    return np.asarray(eigsh(operator, k=count, which="LA", v0=beside(start))[1])
+
+def _beside(vectors: np.ndarray, basis: np.ndarray) -> np.ndarray:
+    """(n, m) an orthonormal basis of what vectors (n, m) have at right angles to an orthonormal basis (n, k); where
+    they have less than m directions of their own, any others."""
+    rest = vectors / np.maximum(np.linalg.norm(vectors, axis=0), 1e-300)
+    for _ in range(2):  # twice is enough
+        rest = np.linalg.qr(rest - basis @ (basis.T @ rest))[0]
+    return np.asarray(rest)
 
 
-def _inverse(solve: Any, vector: np.ndarray) -> float:
-    return float(vector @ solve(vector))
-
-
-def factorised(matrix: sparse.csc_array, shift: float) -> Any:
+def factorised(matrix: sparse.csc_array, shift: float) -> Solve:
     """A function that solves (matrix + shift) x = b for a symmetric positive definite matrix."""
     from scipy.sparse.linalg import splu
 
     raised = sparse.csc_matrix(matrix + shift * sparse.eye_array(matrix.shape[0]))
     factors = splu(raised, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    return factors.solve
+    return lambda sides: np.asarray(factors.solve(sides))

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.sparse import random_array
+from scipy.sparse import csc_array, csr_array
 
 import masonry
 from masonry.assembly.assemble import assemble
-from masonry.modal_analysis.eigen import slowest
+from masonry.modal_analysis.eigen import dominant, factorised, slowest
 from masonry.modal_analysis.oscillator import oscillator_of
 from verification.fixtures.models import SMALL, acceleration_matrix, free, mass_vector
 from verification.references.swinging_stack import STACK, keys_of
@@ -61,14 +61,38 @@ def test_rayleigh_damping_has_its_ratio_at_both_modes():
         assert mass / (2.0 * omega) + stiffness * omega / 2.0 == pytest.approx(0.03)
 
 
-def test_equal_frequencies_are_all_found():
-    """Sixty equal springs, and a hundred equal softer ones: each copy counts."""
-    count = 400
-    root = np.sqrt(np.concatenate([np.full(100, 1.0), np.full(60, 2.0), np.linspace(3.0, 50.0, count - 160)]))
-    turns = np.linalg.qr(np.random.default_rng(1).standard_normal((count, count)))[0]
-    matrix = random_array((count, count), density=0.0, format="csr") + (root[:, None] * turns)
-    modes = slowest(matrix, np.ones(count), np.ones(count, dtype=bool), 12)
-    assert modes.square == pytest.approx(np.ones(12)) and len(modes.loose) == 0
+def springs(square, seed=1):
+    """A matrix B whose modes have some square frequencies (n,) and shapes along all axes."""
+    turns = np.linalg.qr(np.random.default_rng(seed).standard_normal((len(square), len(square))))[0]
+    return csr_array(np.sqrt(square)[:, None] * turns)
+
+
+@pytest.mark.parametrize(
+    ("lowest", "count"), [(1, 6), (2, 6), (12, 12), (13, 6), (100, 12), (400, 12)], ids=lambda number: f"{number}"
+)
+def test_equal_frequencies_are_all_found(lowest, count):
+    """Equal springs, sixty equal stiffer ones, and others: each copy counts, fewer or more than are asked for."""
+    square = np.concatenate([np.full(lowest, 1.0), np.full(60, 2.0), np.linspace(3.0, 50.0, 400)])[:400]
+    modes = slowest(springs(square), np.ones(400), np.ones(400, dtype=bool), count)
+    assert modes.square == pytest.approx(square[:count], rel=1e-12) and len(modes.loose) == 0
+    assert modes.shape @ modes.shape.T == pytest.approx(np.eye(count), abs=1e-12)
+    residual = springs(square).T @ (springs(square) @ modes.shape.T) - modes.square * modes.shape.T
+    assert np.abs(residual).max() < 1e-6, "each is a mode"
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_what_is_found_does_not_hang_on_where_the_search_begins(seed):
+    """Twelve equal motions that nothing holds, five nearly equal modes, and thirty equal ones, from any start; and from
+    one that has no part of the lowest modes."""
+    square = np.concatenate([np.zeros(12), 1.0 + 1e-7 * np.arange(5), np.full(30, 7.0), np.geomspace(8.0, 1e6, 300)])
+    matrix = csc_array(springs(square).T @ springs(square))
+    solve, start = factorised(matrix, 1e-5), np.random.default_rng(seed).standard_normal((len(square), 28))
+    low = springs(square)[12:17].toarray()
+    for first in (start, start - low.T @ np.linalg.solve(low @ low.T, low @ start)):
+        vectors = dominant(solve, first, 1e6)[:, :20]
+        quotient = ((springs(square) @ vectors) ** 2).sum(axis=0)
+        assert quotient[:12] == pytest.approx(np.zeros(12), abs=1e-10)
+        assert quotient[12:] == pytest.approx(square[12:20], rel=1e-8)
 
 
 def test_parts_that_nothing_holds_are_told_and_left_out():
