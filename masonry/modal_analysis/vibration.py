@@ -23,6 +23,8 @@ COVERED = 1.0 - 1e-6
 """Share of a face in joints from which on it is not seen."""
 TOO_HIGH = 0.02
 """Share of a frequency by which it may be too high for contact points by which joints bend too stiffly."""
+ALIKE = 1e-6
+"""Share by which lengths may differ and count as equal."""
 MOVES = 1e-6
 """Share of the fastest corner of a loose motion at which a block takes part in it."""
 CLOSED = "all joints closed and elastic, at the undeformed shape, without the stiffness that weight adds or takes"
@@ -103,9 +105,14 @@ def effective_masses(oscillator: Oscillator, modes: Modes) -> tuple[np.ndarray, 
 def _corners(oscillator: Oscillator, blocks: Blocks, shape: np.ndarray) -> np.ndarray:
     """(P, 3) of a mode, the largest is 1 long; its largest component is positive."""
     moved = moved_corners(oscillator.layout, blocks, oscillator.by_kind(shape))
-    farthest = moved[int(np.argmax((moved**2).sum(axis=1)))]
-    length = float(np.linalg.norm(farthest)) * np.sign(farthest[int(np.argmax(np.abs(farthest)))])
+    farthest = moved[_first_largest(np.linalg.norm(moved, axis=1))]
+    length = float(np.linalg.norm(farthest)) * np.sign(farthest[_first_largest(np.abs(farthest))])
     return moved / length
+
+
+def _first_largest(values: np.ndarray) -> int:
+    """The first of those that are the largest but for rounding, which is that of a processor."""
+    return int(np.argmax(values >= (1.0 - ALIKE) * values.max()))
 
 
 def _loose_blocks(oscillator: Oscillator, blocks: Blocks, modes: Modes) -> np.ndarray:

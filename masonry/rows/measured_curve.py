@@ -36,7 +36,7 @@ def envelope(path: ForcePath, side: float = 1.0) -> ForcePath:
     the first one at each place."""
     out = side * path.place
     before = np.concatenate([[-np.inf], np.maximum.accumulate(out)[:-1]])
-    first = (out > before) & (out >= side * path.place[0])
+    first = out > before
     return ForcePath(path.place[first], path.force[first])
 
 
