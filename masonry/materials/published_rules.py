@@ -43,7 +43,7 @@ def mode_2_energy(cohesion: float) -> PublishedRule:
     value = max(0.1e-3 * cohesion, LEAST_MODE_2)
     least = ", at least 10 N/m" if value == LEAST_MODE_2 else ""
     source = f"0.1 mm x cohesion{least}, {RECOMMENDED}; tests of van der Pluijm have 0.01 to 0.25 N/mm"
-    return PublishedRule(value, min(LEAST_MODE_2, 0.5 * value), max(250.0 * cohesion / 1.8e6, 4.0 * value), source)
+    return PublishedRule(value, min(LEAST_MODE_2, 0.5 * value), 4.0 * value, source)
 
 
 def mode_2_slope() -> PublishedRule:
