@@ -1,10 +1,14 @@
 """Parts of an oscillator by hand: bars, dead loads, joints that press and slide, and how corners move."""
 
+import re
+
 import numpy as np
 import pytest
 
 import masonry
 from masonry.errors import SceneError
+from masonry.modal_analysis.bending import frequencies_too_high
+from masonry.modal_analysis.eigen import slowest
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.modal_analysis.pressed import equilibrium, pressed
@@ -126,3 +130,43 @@ def test_the_farthest_corner_of_a_mode_moves_forward_by_1_and_blocks_by_the_mean
         assert content["period_s"] * content["frequency_hz"] == pytest.approx(1.0)
     first = np.linalg.norm(modes.movements()[0], axis=1)
     assert (np.diff(first) > 0.0).all() and first[0] == pytest.approx(0.0, abs=1e-9), "the farther up, the farther"
+
+
+def beam(mesh_size):
+    """A slender block of tets, 0.1 x 0.1 x 0.8 m, on a stiff joint: a cantilever."""
+    ends = {"foot": (["-0.05 m", "-0.05 m", "-0.2 m"], "0.2 m"), "beam": (["-0.05 m", "-0.05 m", "0 m"], "0.8 m")}
+    entries = [
+        {"name": name, "origin": low, "size": ["0.1 m", "0.1 m", high], "unit": k}
+        for k, (name, (low, high)) in enumerate(ends.items())
+    ]
+    soft = {"density": "2000 kg/m^3", "young_modulus": "1 GPa", "poisson_ratio": 0.0}
+    stiff = {f"contact.unit_unit.{kind}_stiffness": "1000 GPa/m" for kind in ("normal", "shear")}
+    start = [{"on": "beam", "velocity": ["1 mm/s", 0, 0]}]
+    keys = {"specimen.box": entries, "kinematics": "tets", "material.units": soft, "motion": start}
+    return masonry.modes(load("stack", keys | stiff | {"specimen.mesh_size": mesh_size}), 2)
+
+
+@pytest.mark.parametrize("mesh_size", ["100 mm", "50 mm"])
+def test_frequencies_of_coarse_tets_are_told_as_too_high_by_what_they_are_or_somewhat_more(mesh_size):
+    modes = beam(mesh_size)
+    (words,) = (words for words in modes.remarks if "the tets are too large" in words)
+    exact = 3.516 / (2.0 * np.pi) * np.sqrt(1e9 * 0.1**4 / 12.0 / (2000.0 * 0.1**2 * 0.8**4))
+    for number, frequency in enumerate(modes.frequencies, start=1):
+        told = float(re.search(rf"([\d.]+) % in mode {number}", words)[1])
+        assert 1.0 <= told / (100.0 * (frequency / exact - 1.0)) < 1.5
+
+
+def test_frequencies_by_corner_points_are_told_as_too_high_by_what_they_are():
+    """Beside those with points that bend as the area does; the first two modes bend most."""
+    both = {
+        points: masonry.modes(load("stack", keys_of(STACK) | {"specimen.contact_points": points}), 12)
+        for points in ("vertex", "gauss")
+    }
+    corners = oscillator_of(both["vertex"].scene)
+    modes = slowest(corners.strain_matrix, corners.mass, corners.free, 12)
+    high = frequencies_too_high(corners, modes.shape, np.ones(len(corners.normal), dtype=bool))
+    ratio = both["vertex"].frequencies[:2] / both["gauss"].frequencies[:2]
+    assert high[:2] == pytest.approx(ratio - 1.0, rel=0.02)
+    assert high.min() == pytest.approx(0.0, abs=1e-9), "up and down nothing bends"
+    assert f"mode 1 by about {100.0 * (ratio[0] - 1.0):.2g} %" in str(both["vertex"])
+    assert not any("too stiffly" in words for words in both["gauss"].remarks)

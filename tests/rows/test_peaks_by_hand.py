@@ -71,8 +71,8 @@ def test_an_envelope_is_what_lies_farther_out_than_where_the_path_set_out():
 
 
 def test_two_curves_are_compared_as_far_as_both_reach():
-    one, other = path([0, 2, 3], [0, 4, 1]), path([0, 1, 5], [0, 5, 5])
-    assert farthest_apart(one, other) == pytest.approx(4.0), "at 3 m, where the first one ends"
+    one, other = path([0, 2, 3], [0, 4, 1]), path([0, 1, 5], [0, 5, 9])
+    assert farthest_apart(one, other) == pytest.approx(6.0), "at 3 m, where the first one ends"
     assert cut(one, 2.5).force.tolist() == [0, 4, 2.5]
 
 
