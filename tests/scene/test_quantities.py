@@ -109,10 +109,10 @@ def test_a_value_out_of_range_is_told_the_range(text, kind, allowed, words):
     ["9**9**9 m", "1" * 1_000_000 + " m", "1 " + "m" * 1_000_000, "1 m" + " " * 70 + "x", "1e-999 m" * 9, "9" * 70],
 )
 def test_no_text_can_hang_the_reader(text):
-    started = time.perf_counter()
+    started = time.process_time()
     with pytest.raises(SceneError) as error:
         parse(text, "length", "here")
-    assert time.perf_counter() - started < 2.0
+    assert time.process_time() - started < 2.0
     assert len(str(error.value)) < 400
 
 

@@ -1,4 +1,8 @@
-"""Times things in turn, in one process, and compares their minima: what a noisy machine allows to be said."""
+"""Times things in turn, in one process, and compares their minima: what a noisy machine allows to be said.
+
+What is compared are seconds of this process on its processors: while other programs have them it does not age. Work on
+two threads is measured by `wall`.
+"""
 
 import time
 from collections.abc import Callable
@@ -8,23 +12,27 @@ import numpy as np
 
 
 class Timing(NamedTuple):
-    """Least time (s) of some rounds, and by how much the upper quartile lies above it (share)."""
+    """Least time of processor (s) of some rounds, by how much the upper quartile lies above it (share), and the least
+    time by the clock on the wall (s)."""
 
     least: float
     spread: float
+    wall: float
 
 
 def in_turn(*works: Callable[[], object], rounds: int = 60) -> list[Timing]:
     """Times of each work, rounds interleaved."""
-    taken = np.empty((rounds, len(works)))
+    taken = np.empty((rounds, len(works), 2))
     for times in taken:
         for k, work in enumerate(works):
-            begun = time.perf_counter()
+            begun = time.process_time(), time.perf_counter()
             work()
-            times[k] = time.perf_counter() - begun
-    least = taken.min(axis=0)
-    upper = np.quantile(taken, 0.75, axis=0)
-    return [Timing(float(a), float(b / a - 1.0)) for a, b in zip(least, upper, strict=True)]
+            times[k] = time.process_time() - begun[0], time.perf_counter() - begun[1]
+    least, upper = taken.min(axis=0), np.quantile(taken[..., 0], 0.75, axis=0)
+    return [
+        Timing(float(busy), float(high / busy - 1.0), float(wall))
+        for (busy, wall), high in zip(least, upper, strict=True)
+    ]
 
 
 class Against(NamedTuple):

@@ -148,8 +148,10 @@ def test_a_skew_tie_holds_a_block_that_would_topple():
 
 
 def test_loads_on_a_skew_block_act_about_the_axes_of_space():
-    """A voussoir, whose own axes lean: pushed at a point off its middle, the moment is arm times force."""
-    still = masonry.load("arch", {"drive": None})
+    """A voussoir of an arch that leans: pushed at a point off its middle, the moment is arm times force. (Of one that
+    does not lean the axes are their own transpose.)"""
+    turned = {"about": "x", "angle": "25 deg", "through": ["0 m", "0 m", "0 m"]}
+    still = masonry.load("arch", {"drive": None, "specimen.turned": turned})
     specimen, joints = touching(still)
     (number,) = specimen.sets["voussoir 4"]
     push, at = np.array([300.0, 200.0, -500.0]), moments(specimen.blocks)[1][number] + [0.03, 0.07, -0.02]
@@ -246,3 +248,19 @@ def test_a_stone_between_walls_is_held_by_the_pressure_of_its_loads_and_not_by_b
     blocks = extrude(loops, np.zeros(3), np.full(3, 0.3), np.arange(3), ("units",))
     solution = jammed(*dry(blocks, [0, 1], 0.6, dead=(pushed, 0.0, -1.0)))
     assert (solution is not None) == falls
+
+
+@pytest.mark.parametrize(
+    ("fixed", "along_x", "along_y"),
+    [("", 0.5, 0.3), ("x", 0.5, 0.7), ("y", 0.7, 0.3), ("z", 0.5, 0.3)]
+    + [("xz", 0.5, 0.7), ("yz", 0.7, 0.3), ("xy", 0.7, 0.7), ("xyz", 0.7, 0.7)],
+)
+def test_turns_that_are_held_keep_a_block_from_toppling_about_them_alone(fixed, along_x, along_y):
+    """A block of 0.5 x 0.3 x 1 m topples at its width over its height, and slides at 0.7."""
+    support = {"on": "block", "fix": [f"rotation {axis}" for axis in fixed]}
+    held = {"support": [{"on": "ground", "fix": "all"}, *([support] if fixed else [])]}
+    for direction, factor in (("x", along_x), ("y", along_y)):
+        wide = '"-1 m", "-1 m", "-1 m"], size = ["3 m", "3 m", "1 m"]'
+        text = block("").replace('"-1 m", "0 m", "-1 m"], size = ["3 m", "0.3 m", "1 m"]', wide)
+        scene = load(text).with_(held | {"limit": {"pattern": "weight", "direction": direction}})
+        assert masonry.limit(scene).factor == pytest.approx(factor, rel=1e-6)
