@@ -2,7 +2,8 @@
 
 With LANES = True the law of the page must not cost more than the dearer of the two usual ones of ours, whether the
 contacts are quiet, as most are at any moment of a run, or all soften at once. Without it contacts are computed one at a
-time. Limits of the gates lie above what was measured.
+time: that is held against a loop by hand that does so too. Against ours it would be a matter of the processor, since
+ours takes eight contacts in one operation with AVX-512 and in two with AVX2.
 """
 
 import numpy as np
@@ -15,6 +16,7 @@ from masonry.laws.polynomial import Polynomial
 from tests.laws.own_package import files_of_page, install, law_in_lanes, law_with_if, on_the_path
 from verification.reference_step import models, specimens
 from verification.reference_step.interleaved import in_turn, require
+from verification.reference_step.reference import ReferenceStep
 
 OURS = {
     "exponential": Exponential(5.0, 15.0),
@@ -40,30 +42,36 @@ def laws(tmp_path_factory):
         yield OURS | {name: plugin_law(law).parameters_class(*OWN) for name, law in found.items()}
 
 
-def wall(parameters: tuple, soft: bool) -> models.Model:
-    """A wall in a motion that is the same whatever acts: slow, or such that it gets longer and all of it softens."""
+def wall(parameters: tuple, soft: bool) -> tuple[models.Model, ReferenceStep]:
+    """A wall in a motion that is the same whatever acts: slow, or such that it gets longer and all of it softens; and
+    the same by hand, with the exponential law."""
     model = models.model_of(*specimens.wall(16, 16), law=(parameters, models.JOINT))
+    twin = ReferenceStep(models.model_of(*specimens.wall(16, 16), law=(OURS["exponential"], models.JOINT)))
     velocity = np.random.default_rng(1).normal(scale=1e-7, size=(model.blocks.count, 6))
     if soft:
         velocity[:] = 0.0
         velocity[:, 0] = STRETCH * model.layout.centroid[:, 0] / model.dt
     models.make_unstoppable(model)
+    twin.make_unstoppable()
     models.set_velocity(model, velocity)
-    return model
+    twin.set_velocity(velocity)
+    return model, twin
 
 
 @pytest.mark.parametrize("state", ["untouched", "all softening"])
 def test_an_own_law_is_as_fast_as_ours(figure, laws, state):
     soft, works = state == "all softening", {}
     for name, parameters in laws.items():
-        model = wall(parameters, soft)
-        works[name] = models.stepping(model, STEPS)
+        model, twin = wall(parameters, soft)
+        works[name], works["by hand"] = models.stepping(model, STEPS), twin.stepping(STEPS)
         for _ in range(STRETCHED if soft else 1):
             works[name]()
+            works["by hand"]()
         assert models.evolving(model, works[name]) == soft
     times = {name: t.least for name, t in zip(works, in_turn(*works.values(), rounds=ROUNDS), strict=True)}
-    for name in times.keys() - OURS:
+    for name in laws.keys() - OURS:
         figure(f"step with the law {name}, {state}: over ours, exponential", times[name] / times["exponential"], "")
+        figure("  over one by hand", times[name] / times["by hand"], "")
     require(times["own, in lanes"] / max(times["exponential"], times["linear"]), 1.05, f"own, in lanes, {state}")
-    require(times["own"] / times["exponential"], 2.7 if soft else 1.6, f"own, {state}")
-    require(times["own, with if"] / times["exponential"], 3.2 if soft else 1.6, f"own, with if, {state}")
+    for name in ("own", "own, with if"):  # [0.95, 1.33 with AVX-512; 0.94, 1.31 with AVX2]
+        require(times[name] / times["by hand"], 1.6 if soft else 1.15, f"{name}, {state}, over a step by hand")

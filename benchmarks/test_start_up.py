@@ -3,6 +3,7 @@
 Gates are ratios to what any program of this kind must pay: a bare process that imports numpy and numba and finds one
 trivial function in its cache, with Numba's own cache, which loads the tools of compiling as well; and the time in which
 Numba compiles one hand-written loop. They compare processor time, which other work on the machine disturbs less.
+What a user waits by the clock is shown beside it, and is no gate: it is a matter of what else the machine does.
 """
 
 import os
@@ -127,5 +128,4 @@ def test_a_second_run_starts_at_once(cold, figure, tmp_path):
     require(busy[1] / busy[0], 1.2, "to the first step, over a bare process with numba")  # [0.84]
     require(busy[2] / busy[0], 0.15, "masonry --help, over a bare process with numba")  # [0.05]
     require(busy[3] / busy[0], 0.15, "import masonry, over a bare process with numba")
-    require(busy[4] / busy[0], 3.2, "a whole second run, over a bare process with numba")  # [2.3]
-    require(wall[4] / wall[0], 2.6, "the time of a whole second run, over a bare process with numba")  # [1.6]
+    require(busy[4] / busy[0], 3.2, "a whole second run, over a bare process with numba")  # [2.3; 2.7 with other work]
