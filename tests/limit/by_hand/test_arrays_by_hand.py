@@ -190,9 +190,9 @@ def test_the_worst_position_is_refined_on_either_side_of_the_best_of_those_that_
     monkeypatch.setattr(positions, "largest_factor", solved)
     search = PositionSearch(bed, None, bodies, None, PLANE)  # type: ignore[arg-type]
     search.add_way("x", np.linspace(0.0, 1.0, 65))
-    found = search.envelope()
-    assert found.position[found.least] == pytest.approx(worst, abs=1e-3)
-    assert found.factor[found.least] == pytest.approx(1.0, abs=2e-6) and found.bound <= found.factor.min()
+    envelope = search.envelope()
+    assert envelope.position[envelope.least] == pytest.approx(worst, abs=1e-3)
+    assert envelope.factor[envelope.least] == pytest.approx(1.0, abs=2e-6) and envelope.bound <= envelope.factor.min()
 
 
 def test_a_block_is_named_by_the_smallest_set_that_it_is_in():
