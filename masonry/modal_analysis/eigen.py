@@ -18,7 +18,7 @@ APPLIED = 3
 """Times that a block is solved for before its best vectors are taken anew."""
 ROUNDS = 60
 """Of that, at most."""
-NEAR, ROUNDED = 1e-9, 1e-14
+NEAR, ROUNDED = 1e-9, 1e-15
 """Residual of a vector over its eigenvalue at which it is taken: the eigenvalue's error is its square. And what
 rounding leaves of it, over the ratio of the largest eigenvalue of the matrix to this one."""
 SEED = 2718

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.sparse import csc_array, csr_array
+from scipy.sparse import block_diag, csc_array, csr_array
 
 import masonry
 from masonry.assembly.assemble import assemble
@@ -93,6 +93,21 @@ def test_what_is_found_does_not_hang_on_where_the_search_begins(seed):
         quotient = ((springs(square) @ vectors) ** 2).sum(axis=0)
         assert quotient[:12] == pytest.approx(np.zeros(12), abs=1e-10)
         assert quotient[12:] == pytest.approx(square[12:20], rel=1e-8)
+
+
+def test_slow_modes_of_chains_whose_masses_differ_by_nine_decades_are_those_of_each_chain():
+    """60 chains of 6 masses, each held at an end: frequencies that lie close together beside stiffnesses that are 10^10
+    times theirs."""
+    chain = 1e6 * (np.eye(6) - np.eye(6, k=-1))
+    mass = np.geomspace(1e-3, 1e6, 360)
+    each = [np.linalg.svd(chain / np.sqrt(own), compute_uv=False) ** 2 for own in mass.reshape(60, 6)]
+    modes = slowest(csr_array(block_diag([chain] * 60)), mass, np.ones(360, dtype=bool), 20)
+    assert modes.square == pytest.approx(np.sort(np.concatenate(each))[:20], rel=1e-4)
+
+
+def test_a_matrix_without_any_stiffness_has_loose_motions_alone():
+    modes = slowest(csr_array((5, 300)), np.ones(300), np.ones(300, dtype=bool), 6)
+    assert len(modes.square) == 0 and len(modes.loose) > 60 and not modes.all_loose
 
 
 def test_parts_that_nothing_holds_are_told_and_left_out():
