@@ -71,8 +71,8 @@ def _sweep(
 ):  # fmt: skip
     """Contacts first..last, as many at a time as `like` has: d = u_b - u_a, split along n; force acts on side a.
 
-    The last ones may be fewer: what is beyond them is read (arrays have room behind their last number), and its history
-    left alone; its force is written, and written again by the group that it belongs to.
+    The last ones may be fewer: what is beyond them is read (arrays have room behind their last number) and left alone.
+    Laws ask for the force that acted until now: that of the next group is its own.
     Arrays are read and written by `take` and `put` alone: handed to a function they would be counted at every contact.
     Numbers of `parameters` and `joint` that are arrays hold one number for each contact of the group, from 0 on.
     keep, gain, before, stress, taken: of Dashpots, None without any. Friction follows the stress of the springs.
@@ -141,7 +141,7 @@ def _sweep(
             put_where(own, taken, c, take(taken, c, like) + work)
             tx, ty, tz = tx + q[0], ty + q[1], tz + q[2]
         size = take(area, c, like)
-        put_rows(force, c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
+        put_rows(force, c, last - c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))
 
 
 _sweep_serial, _sweep_parallel = inner(_sweep), inner_parallel(_sweep)

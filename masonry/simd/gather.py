@@ -131,19 +131,21 @@ def scatter(context, array, index, at, x, y, z):
 
 
 @intrinsic
-def put_rows(context, array, first, x, y, z):
-    """Write x, y, z as the row `first` of an array; with lanes that and the seven rows after it."""
+def put_rows(context, array, first, number, x, y, z):
+    """Write x, y, z as the row `first` of an array; with lanes that and the rows after it, eight or the first `number`
+    of them: what lies behind is not touched."""
 
     def generate(context, builder, sig, args):
-        start = context.cast(builder, args[1], first, types.intp)
+        start, many = (context.cast(builder, args[i], sig.args[i], types.intp) for i in (1, 2))
         if isinstance(x, Lanes):
-            for lane, row in enumerate(_as_rows(builder, args[2:])):
+            for lane, row in enumerate(_as_rows(builder, args[3:])):
                 at = builder.add(start, start.type(lane)), types.intp
-                store(builder, row, pointer_to(context, builder, array, args[0], [at, (WORD(0), types.int32)]))
+                with builder.if_then(builder.icmp_signed(">", many, many.type(lane)), likely=True):
+                    store(builder, row, pointer_to(context, builder, array, args[0], [at, (WORD(0), types.int32)]))
         else:
             pointers = in_row(context, builder, array, args[0], (start, types.intp))
-            for pointer, value in zip(pointers, args[2:], strict=True):
+            for pointer, value in zip(pointers, args[3:], strict=True):
                 builder.store(value, pointer)
         return context.get_dummy_value()
 
-    return types.void(array, first, x, y, z), generate
+    return types.void(array, first, number, x, y, z), generate

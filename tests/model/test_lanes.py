@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from masonry.jit.compiler import jit
-from masonry.simd import PLAIN, eight, put, take
+from masonry.simd import PLAIN, eight, put, put_rows, take
 
 RUNS = {
     "rigid": ["wallette-mode-1", "specimen.divisions=[2, 1]", "drive.rate=20 mm/s"],
@@ -97,3 +97,17 @@ print(numbers.astype(int).tolist())
 def test_eight_numbers_of_a_row_are_eight_whatever_was_compiled_before():
     done = subprocess.run([sys.executable, "-c", EIGHT_NUMBERS], capture_output=True, text=True, check=True)
     assert json.loads(done.stdout) == [0, 2, 4, 6, 8, 10, 12, 14, 16, 9]
+
+
+@pytest.mark.parametrize("number", [1, 3, 8, 11])
+def test_rows_are_written_as_far_as_there_are_any_and_those_behind_are_left_alone(number):
+    @jit
+    def write(rows, number, x):
+        like = take(x, 0, eight())
+        put_rows(rows, 2, number, like, 2.0 * like, 3.0 * like)
+
+    rows, x = np.full((14, 4), -1.0), np.arange(1.0, 9.0)
+    write(rows, number, x)
+    last = 2 + (1 if PLAIN else min(number, 8))
+    np.testing.assert_array_equal(rows[2:last, :3], np.outer(x[: last - 2], [1.0, 2.0, 3.0]))
+    assert (rows[:2] == -1.0).all() and (rows[last:] == -1.0).all()
