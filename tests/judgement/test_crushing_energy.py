@@ -15,12 +15,12 @@ from tests.scenes import box, listed, load, specimen, tables
 SIDE, STRENGTH, SHARE, TURN = 0.2, 10e6, 0.2, 100.0
 
 
-def scene(displacements: str, points: int):
+def scene(displacements: str, points: int, strength: float = STRENGTH, more: str = ""):
     """A block on a slab, that may crush at an edge."""
     where = "patch_points_per_edge" if displacements == "large" else 'contact_points = "gauss"\npoints_per_edge'
     contact = (
         'law = "friction"\nnormal_stiffness = "10 GPa/m"\nshear_stiffness = "5 GPa/m"\ntan_friction_angle = 0.6\n'
-        f'compressive_strength = "{STRENGTH!r} Pa"\ncrushing = "cut-off"'
+        f'compressive_strength = "{strength!r} Pa"\ncrushing = "cut-off"'
     )
     boxes = [slab(1.0), box("block", (0.0, 0.0, 0.0), (SIDE, SIDE, 0.1), "units", 1)]
     return load(
@@ -30,12 +30,13 @@ def scene(displacements: str, points: int):
         + tables("contact", {"unit_unit": contact})
         + listed("support", ['on = "slab"\nfix = "all"'])
         + '[drive]\non = "block"\ndirection = "z"\ndisplacement = "1 mm"\n'
+        + more
     )
 
 
-def inspection(displacements: str, points: int, energy: float, every: bool = False):
+def inspection(displacements: str, points: int, energy: float, every: bool = False, **law):
     """The block turned far about an edge, under a fifth of what the joint bears; crushing took so much of 1 J."""
-    assembly = assemble(scene(displacements, points))
+    assembly = assemble(scene(displacements, points, **law))
     if displacements == "large":
         assembly.model.alive[:] = False
     joints = assembly.joints
@@ -97,3 +98,14 @@ def test_a_joint_that_hardly_turns_is_elastic_up_to_its_strength_and_bears_no_bl
     run = inspection("large", 10, 1.0)
     run.frames[0].opening[:] *= 1e-9
     assert crushing_energy.doubts(run) == []
+
+
+def test_a_strength_that_was_drawn_counts_and_not_the_mean_of_its_group():
+    """As of a joint that has it without a draw."""
+    drawn = inspection("small", 10, 1.0, more="[scatter]\nseed = 7\n[scatter.unit_unit]\ncompressive_strength = 0.6\n")
+    strength = float(np.unique(drawn.assembly.model.groups.properties[0].compressive_strength)[0])
+    assert abs(strength / STRENGTH - 1.0) > 0.1
+    (doubt,), (own,), (mean,) = map(
+        crushing_energy.doubts, (drawn, inspection("small", 10, 1.0, strength=strength), inspection("small", 10, 1.0))
+    )
+    assert doubt.value == pytest.approx(own.value, rel=1e-12) and abs(doubt.value / mean.value - 1.0) > 0.01

@@ -15,7 +15,7 @@ from masonry.assembly.contact_pairs import points_along
 from masonry.detection.spread import rounds_of
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.joint_faces import MOST, Faces, corners_of
+from masonry.laboratory.remarks.joint_faces import MOST, Faces, corners_of, law_of
 from masonry.laboratory.remarks.joint_sections import NARROW, Section, of_points, spread
 from masonry.rows.columns import CRUSHING, FACTOR
 
@@ -63,11 +63,13 @@ def _error(inspection: Inspection, closing: np.ndarray) -> float:
     for face in np.argsort(-volume, kind="stable")[:MOST]:
         force, turn = -float(look.force[face]), float(np.linalg.norm(look.turn[face]))
         contact = assembly.scene.contact_of(assembly.model.group_names[faces.group[face]])
-        if force <= 0.0 or turn <= 0.0 or contact.crushing is None or contact.compressive_strength is None:
+        drawn = law_of(assembly, faces, face)[1].compressive_strength
+        bears = contact.compressive_strength if drawn is None else drawn  # patches have that of the scene
+        if force <= 0.0 or turn <= 0.0 or contact.crushing is None or bears is None:
             continue
         if volume[face] > EVEN * faces.area[face] * most[face]:
             continue
-        bears, strain = contact.compressive_strength, turn * float(faces.stiffness[face])
+        strain = turn * float(faces.stiffness[face])
         points, strips = _sections(assembly, faces, face, look.turn[face] / turn)
         share = min(force / (bears * faces.area[face]), 1.0 / SHARES[-1] - 1e-9)
         had, by_hand = (
