@@ -72,6 +72,11 @@ class Loading(Remembering, ABC):
         """Look at the specimen after each chunk; `before`: velocities one step before this one."""
         return None
 
+    def counted(self, before: list[np.ndarray], path: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """Of the forces (n,) N of the drive, signed, at the steps of a chunk, at places (n,) m, so much as counts for
+        its peak; before: as of `feel`."""
+        return force
+
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Look at each row: forces of drive and support (N), what contacts show, and the ledger (J)."""
         return None

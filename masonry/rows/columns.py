@@ -40,6 +40,9 @@ FACTOR = "load_factor"
 OFF_BALANCE = "out_of_balance"
 """The column (1) of one that leads a gauge on behind the collapse: by how much the factor exceeds equilibrium, on
 average since the row before, over the collapse factor; 0 at the rests before."""
+EXCESS = "excess_force"
+"""The column (N) of a run whose drive is paced by an accuracy: what of its force inertia and damping hold up, so that
+it is not borne at rest."""
 GROUND = {axis: f"ground_{axis}" for axis in "xyz"}
 """By axis: the column (m/s2) of the acceleration of the ground, where it moves."""
 INPUT_ENERGY = "input_energy"
@@ -69,7 +72,8 @@ def stored_in(terms: Mapping[str, float]) -> float:
 
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, INPUT_ENERGY, CRUSHING, *GROUND.values()}
+    others = {*UNITS, *LARGE_UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, EXCESS, INPUT_ENERGY, CRUSHING}
+    others |= set(GROUND.values())
     return [column for column in columns if column not in others]
 
 
@@ -79,7 +83,9 @@ def unit_of(column: str) -> str:
     if column in GROUND.values():
         return "m/s2"
     return (
-        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", INPUT_ENERGY: "J", CRUSHING: "J", **BAR_UNITS}.get(column)
+        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", EXCESS: "N", INPUT_ENERGY: "J", CRUSHING: "J", **BAR_UNITS}.get(
+            column
+        )
         or UNITS.get(column)
         or LARGE_UNITS.get(column, "m")
     )

@@ -1,8 +1,11 @@
 """The peak of a curve, and the rows that count for it."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
-from masonry.rows.columns import FACTOR
+from masonry.rows.columns import EXCESS, FACTOR
 
 AT_PEAK = 1e-3
 """On a plateau the place of the highest value is chance: the peak counts as reached within this share of it."""
@@ -36,11 +39,19 @@ def before_a_collapse(rows: dict[str, np.ndarray], step: float | None) -> dict[s
     return {key: values[standing] for key, values in rows.items()}
 
 
+def borne(rows: Mapping[str, Any], column: str) -> Any:
+    """So much of the `stress` or `force` of the drive (a column) as is borne at rest, where that is known: of a row, or
+    of all."""
+    if EXCESS not in rows:
+        return rows[column]
+    return rows[column] * (1.0 - rows[EXCESS] / np.maximum(np.abs(rows["force"]), 1e-300))
+
+
 def peak_row(rows: dict[str, np.ndarray]) -> int:
     """The first row at which the stress, positive along the drive, is within AT_PEAK of the highest of all rows from
     the last one on before the drive moves; of a drive that turns back the highest row itself."""
     begun = _before_the_drive(rows)
-    stress = rows["stress"][begun:]
+    stress = borne(rows, "stress")[begun:]
     if turns_back(rows["displacement"]):
         return begun + int(np.argmax(stress))
     return begun + int(np.argmax(stress >= reached(float(stress.max()))))
@@ -49,7 +60,7 @@ def peak_row(rows: dict[str, np.ndarray]) -> int:
 def lowest_row(rows: dict[str, np.ndarray]) -> int:
     """The row of the lowest stress, of the same rows."""
     begun = _before_the_drive(rows)
-    return begun + int(np.argmin(rows["stress"][begun:]))
+    return begun + int(np.argmin(borne(rows, "stress")[begun:]))
 
 
 def _before_the_drive(rows: dict[str, np.ndarray]) -> int:

@@ -21,7 +21,7 @@ from masonry.monitors.reactions import Standing
 from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, INPUT_ENERGY, UNITS
 from masonry.rows.history import Frame
-from masonry.rows.peak import reached
+from masonry.rows.peak import borne, reached
 from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
@@ -81,9 +81,11 @@ class Loop:
             self.take_row(0, energy.velocities(self.model))
         damp(self.model, self.done >= self.settle)
         while (chunk := self.loading.next()) is not None:
-            before = self.take_steps(self.done, chunk)
-            self.done += chunk.steps
+            before, path, force = self.take_steps(self.done, chunk)
+            begins, self.done = self.done < self.settle, self.done + chunk.steps
             self.loading.feel(self.done, before)
+            if len(path) and self.driven:
+                self.find_peak(path, self.loading.counted(before, path, force), begins)
             if chunk.row:
                 self.close_row(before, progress)
             if self.done == self.settle:
@@ -116,8 +118,9 @@ class Loop:
             return f"kinetic energy {self.rows['kinetic'][-1]:.3g} J"
         return f"stress {self.rows['stress'][-1] / 1e6:.3g} MPa"
 
-    def take_steps(self, done: int, chunk: Chunk) -> list[np.ndarray]:
-        """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last."""
+    def take_steps(self, done: int, chunk: Chunk) -> tuple[list[np.ndarray], np.ndarray, np.ndarray]:
+        """The steps of a chunk, and a look whether they can be trusted; returns the velocities before the last, and of
+        the steps from the last one of the settling on the places (n,) m of the drive and its forces (n,) N."""
         count, drive_force = chunk.steps, np.zeros(chunk.steps)
         if count > 1:
             self.configuration.advance(chunk, self.threads, 0, count - 1, drive_force)
@@ -132,9 +135,7 @@ class Loop:
         path = self.place + np.cumsum(chunk.speed[:-1]) * self.model.dt
         self.place = float(path[-1]) if chunk.place is None else chunk.place
         begun = max(self.settle - done - 1, 0)
-        if begun < count and self.driven:
-            self.find_peak(path[begun:], drive_force[begun:], done < self.settle)
-        return before
+        return before, path[begun:], drive_force[begun:]
 
     def find_peak(self, path: np.ndarray, drive_force: np.ndarray, begins: bool) -> None:
         """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
@@ -215,19 +216,20 @@ class Loop:
         append(self.observed, observed)
         force = self.recording.section * self.recording.sign
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
-        higher = stood and row["stress"] > self.highest_row and step >= max(self.settle, 1)
-        shows = higher and self.shows_more(row["stress"])
+        stress = float(borne(row, "stress"))
+        higher = stood and stress > self.highest_row and step >= max(self.settle, 1)
+        shows = higher and self.shows_more(stress)
         if frame_due or shows:
-            place, borne = row["displacement"], self.configuration.joint_forces()
-            standing = self.recording.surroundings.standing(model, before, borne, step, place, load_factors)
-            frame = self.camera.take(now, borne, step, place)
+            place, forces = row["displacement"], self.configuration.joint_forces()
+            standing = self.recording.surroundings.standing(model, before, forces, step, place, load_factors)
+            frame = self.camera.take(now, forces, step, place)
             if frame_due:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
             if shows:
-                self.near_peak.append((row["stress"], frame, standing))
+                self.near_peak.append((stress, frame, standing))
         if higher:
-            self.keep_peak(row["stress"])
+            self.keep_peak(stress)
 
     def readings(self, before: list[np.ndarray]) -> dict[str, float]:
         """By gauge what it reads, and by bar that has a name its force (N). Velocities now are the mean of those half a

@@ -11,7 +11,7 @@ from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
 from masonry.monitors.reactions import Standing, Surroundings
 from masonry.rows.history import History
-from masonry.rows.peak import before_a_collapse, lowest_row, peak_row, turns_back
+from masonry.rows.peak import before_a_collapse, borne, lowest_row, peak_row, turns_back
 from masonry.runtime.processors import Seconds
 from masonry.timeloop.around_peak import missed_between_rows
 from masonry.timeloop.gauge_columns import UniformGround
@@ -58,7 +58,7 @@ class Outcome:
         if not turns_back(rows.get("displacement", np.zeros(0))):
             return
         peak, lowest = peak_row(rows), lowest_row(rows)
-        force, place = rows["force"], rows["displacement"]
+        force, place = borne(rows, "force"), rows["displacement"]
         self.missed_between_steps = missed_between_rows(place, force, peak)
         self.peak_force, self.displacement_at_peak = float(force[peak]), float(place[peak])
         self.lowest_force, self.displacement_at_lowest = 0.0, 0.0

@@ -35,7 +35,7 @@ def test_what_observers_remember_comes_back_from_a_file_by_their_names(tmp_path)
     for _ in range(4):
         chunk = one.loading.next()
         assert chunk is not None
-        before = one.take_steps(one.done, chunk)
+        before, _, _ = one.take_steps(one.done, chunk)
         one.done += chunk.steps
         one.take_row(one.done, before)
     write(tmp_path / "state.npz", one.state())

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from math import cbrt, inf, sqrt
+from math import cbrt, ceil, inf, sqrt
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.energy import Seen
 from masonry.loading.drive.adaptive_settings import SETTINGS, AdaptiveSettings
 from masonry.loading.drive.approach import Approach
+from masonry.loading.drive.borne import BorneForce
 from masonry.loading.drive.bounds import Bounds, DragLook
 from masonry.loading.drive.increments import DriveRow, Increments
 from masonry.loading.drive.path import DrivePath
@@ -24,6 +25,7 @@ from masonry.model.damping import Damping
 from masonry.model.gauges import Gauge
 from masonry.model.model import Model
 from masonry.monitors.events import PARTED, Event
+from masonry.rows.columns import EXCESS
 from masonry.runtime.progress import Effort
 from masonry.runtime.state_file import Remembers, attributes
 
@@ -135,14 +137,15 @@ def share_of_cracks(model: Model) -> float:
 @dataclass(frozen=True)
 class AdaptiveOutcome(LoadingOutcome):
     """What was asked for, and what was reached after the first damage: lags over the work done, their mean over the
-    path, and the share of the largest force that damping took where that was reached, with dry contacts inertia as
-    well; none if that was before the drive."""
+    path; the share of the largest force that damping took where that was reached, with dry contacts inertia as well,
+    none if that was before the drive; and by how much the force exceeded what was borne, at most, over the peak."""
 
     accuracy: float
     increments: int
     mean_lag: float
     largest_lag: float
     drag_at_peak: float
+    largest_excess: float
 
     def control(self) -> dict[str, float]:
         """All of it."""
@@ -156,7 +159,12 @@ class AdaptiveLoading(Loading):
     brought: larger increments while elastic, smaller ones while cracking. A drive that turns back goes leg by leg, at
     rest at each turn; what else is measured against the path or the force of the test is measured against the largest
     so far then, as the force may pass through zero, and the drive through its start.
+
+    pending     (n + 1,) m/s, signed: of the drive in what is left of an increment     arrives_at  m/s, signed: of the
+                drive at the end of the chunk that was asked for last
     """
+
+    REMEMBERED = ("pending", "arrives_at")
 
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.model, self.plan, self.settings = model, plan, settings
@@ -166,6 +174,8 @@ class AdaptiveLoading(Loading):
         self.guide, self.dry = Predictor(model), Dry(model, settings, plan.accuracy)
         self.approach, self.bounds = Approach(model), Bounds(model, plan.accuracy, settings)
         self.increments, self.pause = Increments(), DrivePause(model, settings)
+        self.borne = BorneForce(model, plan.accuracy, self.path.sign)
+        self.pending, self.arrives_at = np.zeros(0), 0.0
 
     @property
     def at_once(self) -> float:
@@ -182,22 +192,36 @@ class AdaptiveLoading(Loading):
         settling = self.settling.next()
         if settling is not None:
             return settling
+        if len(self.pending):
+            return self.piece()
         if self.path.left <= 1e-12 * self.path.goal and not self.turn():
             return self.increment(self.speed.to_rest()) if self.pause.at_end() else None
         if self.pause.increments:
             return self.increment(self.speed.to_rest())
         if self.speed.must_stop(self.path.left):
-            stop = self.increment(self.speed.to_stop(self.path.left))
+            stop = self.increment(self.speed.to_stop(self.path.left), in_one=True)
             self.path.moved = self.path.goal
             return replace(stop, place=self.path.end)
         return self.increment(self.speed.to_target())
 
-    def increment(self, speed: np.ndarray) -> Chunk:
-        """Book an increment of these speeds (n + 1,) m/s along the path."""
+    def increment(self, speed: np.ndarray, in_one: bool = False) -> Chunk:
+        """Book an increment of these speeds (n + 1,) m/s along the path, and make it, or its first piece."""
         self.increments.book(float(speed[:-1].sum()) * self.model.dt)
         self.path.moved += self.increments.made
         self.speed.now = float(speed[-1])
-        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.path.sign * speed, True)
+        self.pending = self.path.sign * speed
+        return self.piece(in_one)
+
+    def piece(self, in_one: bool = False) -> Chunk:
+        """What is left of an increment; so much at a time as is looked at, where the force may be the largest."""
+        whole = len(self.pending) - 1
+        in_one = in_one or self.approach.elastic or bool(self.plan.reversals) or not self.borne.may_be_highest
+        steps = whole if in_one else min(whole, ceil(self.speed.steps / self.settings.looks))
+        speed, self.pending = self.pending[: steps + 1], self.pending[steps:]
+        self.arrives_at = float(speed[-1])
+        if steps == whole:
+            self.pending = self.pending[1:]
+        return Chunk(np.full(steps + 1, self.plan.dead_load[-1]), speed, not len(self.pending))
 
     def turn(self) -> bool:
         """Set out for the next place, slowly; False where there is none."""
@@ -212,9 +236,20 @@ class AdaptiveLoading(Loading):
         """Each increment is a row, and is looked at there."""
         self.pause.step = step
 
+    def counted(self, before: list[np.ndarray], path: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """So much as is borne, once the drive has set out."""
+        if self.increments.count == 0:
+            return force
+        self.borne.feel(before, self.arrives_at, float(force[-1]), self.increments.most_force)
+        return self.borne.count(path, force)
+
+    def columns(self) -> dict[str, float]:
+        """What of the force is not borne."""
+        return {EXCESS: abs(self.borne.excess)}
+
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Choose the next speed by the forces of drive and support (N), what contacts show, and the ledger (J)."""
-        row = DriveRow.of(force, support, seen, terms)
+        row = DriveRow.of(force, support, seen, terms, self.borne.excess)
         if self.increments.count == 0:
             self.begin(row)
             return
@@ -230,6 +265,7 @@ class AdaptiveLoading(Loading):
     def begin(self, row: DriveRow) -> None:
         """The dead loads have settled."""
         self.increments.begin(row)
+        self.borne.begin(row.force)
         self.approach.begin(row.seen)
         self.guide.settle()
         if self.model.dry:
@@ -259,6 +295,8 @@ class AdaptiveLoading(Loading):
             if self.model.dry:
                 self.dry.see(row.force, self.guide.trust)
                 factor = min(factor, self.dry.factor(rise / last.most_force, self.bounds.unit))
+            taken = self.borne.taken() / last.most_force
+            factor = min(factor, max(settings.inertia * self.bounds.unit / max(taken, 1e-12), settings.slower))
         follows = approach.elastic or self.guide.trust > settings.unexpected
         follows = follows or abs(row.kinetic) <= settings.rest.energy * row.stored
         self.pause.follow(follows, waits=self.speed.now * self.speed.steps * self.model.dt < self.path.left)
@@ -316,9 +354,10 @@ class AdaptiveLoading(Loading):
             mean_lag=float(lag @ travel / max(travel.sum(), 1e-300)),
             largest_lag=float(lag.max()),
             drag_at_peak=held_up if towards * (force[highest] - self.increments.settled_force) > 0.0 else 0.0,
+            largest_excess=self.borne.largest_excess / max(abs(peak), 1e-300) if self.borne.largest_excess else 0.0,
         )
 
     def parts(self) -> Mapping[str, Remembers]:
         """All that the next speed depends on."""
-        names = ("settling", "path", "speed", "guide", "dry", "approach", "bounds", "increments", "pause")
+        names = ("settling", "path", "speed", "guide", "dry", "approach", "bounds", "increments", "pause", "borne")
         return attributes(self, names)

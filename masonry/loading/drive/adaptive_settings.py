@@ -12,6 +12,7 @@ class AdaptiveSettings:
     settling_rows      one in so many of the rows goes to the settling, which nobody looks at but for its end
     steps              steps of an increment: about a period of the slowest swing of a wallette
     few_steps, still   the same where all that moves is prescribed; kinetic over stored energy below which it is so
+    looks              at an increment whose force may be the highest, to tell what of it is borne
     curve              accuracy of increments there, at one of `fine` or coarser: only the curve is followed
     coarsest, finest   increments in which the whole displacement is made, at least and at most
     first              share of the displacement that the first increment makes
@@ -38,6 +39,8 @@ class AdaptiveSettings:
     ends, drag         difference between the forces of the two ends, and the force that damping takes on average (its
                        work over the path), over the largest force
 
+    inertia            force that inertia and damping take or give, over the largest
+
     Sudden cracks:
     unexpected         share of the kinetic energy that was not expected, from which on the drive is held
     rest               it goes on when the specimen rests, one look an increment
@@ -54,6 +57,7 @@ class AdaptiveSettings:
     steps: int = 80
     few_steps: int = 4
     still: float = 1e-12
+    looks: int = 4
     curve: float = 0.05
     coarsest: int = 30
     finest: int = 40_000
@@ -77,6 +81,7 @@ class AdaptiveSettings:
     rises: float = 1.0
     ends: float = 0.4
     drag: float = 0.5
+    inertia: float = 3.0
     unexpected: float = 0.5
     rest: RestCriterion = FOLLOWED
     longest_hold: int = 600

@@ -13,7 +13,7 @@ from masonry.runtime.state_file import State
 
 class DragLook(NamedTuple):
     """Of one increment: the energy by which the drive ran ahead, over its work; m that it made; the force that damping
-    took, over the largest; N, of the drive, signed."""
+    took, over the largest; N, of the drive, signed, as it is borne."""
 
     lag: float
     made: float
@@ -55,7 +55,9 @@ class Bounds:
         taken, most_work = abs(damped - last.damped), last.most_force * last.made
         drag = taken / most_work
         freed = max(last.stored - stored - (row.broken - last.broken), 0.0)  # by a sudden crack: its damping is no drag
-        self.looks.append(DragLook(float(lag), last.made, float(max(taken - freed, 0.0) / most_work), row.force))
+        self.looks.append(
+            DragLook(float(lag), last.made, float(max(taken - freed, 0.0) / most_work), row.force - row.excess)
+        )
         ratios = lag / settings.lag, sway / settings.sway, ends / settings.ends, drag / settings.drag
         excess = max(np.sqrt(brought), *(ratio / self.unit for ratio in ratios))
         return float(min(max(1.0 / excess, settings.slower), settings.faster))

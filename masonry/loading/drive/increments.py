@@ -9,7 +9,7 @@ from masonry.runtime.state_file import Remembering
 
 class DriveRow(NamedTuple):
     """What a row shows to a drive: forces of drive and support (N), what contacts show, and energies (J): stored,
-    dissipated by fracture and crushing, of motion, and what damping took."""
+    dissipated by fracture and crushing, of motion, and what damping took; and what of the force (N) is not borne."""
 
     force: float
     support: float
@@ -18,12 +18,13 @@ class DriveRow(NamedTuple):
     broken: float
     kinetic: float
     damped: float
+    excess: float = 0.0
 
     @classmethod
-    def of(cls, force: float, support: float, seen: Seen, terms: dict[str, float]) -> "DriveRow":
+    def of(cls, force: float, support: float, seen: Seen, terms: dict[str, float], excess: float) -> "DriveRow":
         """From the ledger (J)."""
         broken = terms["fracture_mode_1"] + terms["fracture_mode_2"] + terms.get(CRUSHING, 0.0)
-        return cls(force, support, seen, stored_in(terms), broken, terms["kinetic"], terms["damping"])
+        return cls(force, support, seen, stored_in(terms), broken, terms["kinetic"], terms["damping"], excess)
 
 
 class Increments(Remembering):

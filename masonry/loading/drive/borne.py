@@ -1,0 +1,109 @@
+"""What a drive bears at rest: its force less what inertia and damping hold up.
+
+A row is out of balance where forces r are left on what is free: what inertia and damping take. Held at that place, the
+specimen would come to rest, and the force of the drive would change by that of its small move there: by r along the
+displacement that a unit of the drive brings. That is known as it was expected, and as it is now: the larger of the two
+counts, so that a force is taken for borne only where both say so. Force times lever and moment times turn add up in it,
+block by block.
+"""
+
+import numpy as np
+
+from masonry.configuration.parts.parts import parts_of
+from masonry.model.model import Model
+from masonry.runtime.state_file import Remembering
+
+BALANCED = 0.25
+"""Accuracies by which a force may exceed what is borne at rest, over the largest: it counts as it is."""
+MORE = 1.25
+"""Times as much as either says is taken off: what swings widely is not known better."""
+AT_REST = 0.1
+"""Of the tolerance: where the drive is held, the specimen is at rest as soon as its force changes by less in a look."""
+NEAR = 0.9
+"""Share of the largest force from which on the next may be larger."""
+
+
+class BorneForce(Remembering):
+    """Follows the force of a drive, of which so much counts for its peak as is borne.
+
+    tolerance  share of the largest force below which nothing is in excess
+    towards    sign of the direction in which the drive sets out
+    excess     N, signed as the force: what of it is not borne at the end of the last increment
+    place      m, of the drive there        borne  N, along the drive: what was borne there
+    slope      N/m, by which that rose before, at least 0; 0 where it was not in balance
+    balanced   whether nothing was in excess there, or missing; steady  whether so before
+    highest    N, the most that was borne        last  N, along the drive, of its force there
+    held       whether it rested there           follows  whether most of the motion there was expected
+    largest_excess  N, the most at any step by which the force exceeded what counts
+    most_off   N, the most that inertia and damping took or gave since `taken` was asked
+    """
+
+    REMEMBERED = (
+        *("excess", "place", "borne", "slope", "highest", "last", "most_off", "largest_excess"),
+        *("held", "follows", "steady", "balanced"),
+    )
+
+    def __init__(self, model: Model, accuracy: float, towards: float) -> None:
+        self.model, self.tolerance, self.towards = model, BALANCED * accuracy, towards
+        self.excess = self.place = self.borne = self.slope = self.highest = self.last = self.most_off = 0.0
+        self.largest_excess = 0.0
+        self.held, self.follows, self.steady, self.balanced = False, True, True, True
+
+    def begin(self, force: float) -> None:
+        """The dead loads have settled, with the drive at such a force (N, signed)."""
+        self.borne = self.highest = self.last = self.towards * force
+
+    @property
+    def may_be_highest(self) -> bool:
+        """Whether the next force may be higher than all before."""
+        return self.borne >= NEAR * self.highest
+
+    def taken(self) -> float:
+        """N, the most that inertia and damping took or gave in the last increment; the next begins."""
+        most, self.most_off = self.most_off, 0.0
+        return most
+
+    def feel(self, before: list[np.ndarray], speed: float, force: float, most: float) -> None:
+        """See by how much the force (N, signed) of a drive of such a speed (m/s, signed) exceeds what is borne;
+        before: velocities a step earlier; most: N, the largest force so far."""
+        self.held = speed == 0.0
+        expected = current = foreseen = unforeseen = 0.0
+        for part, old in zip(parts_of(self.model), before, strict=True):
+            left, v, guess = part.gained(old) / self.model.dt - part.body.hold, part.body.v, part.body.guess
+            left[~part.free] = 0.0
+            expected += float(np.sum(left * guess))
+            current += float(np.sum(left * v))
+            foreseen += float(np.sum(part.masses * (speed * guess) ** 2))
+            unforeseen += float(np.sum(part.masses * (v - speed * guess) ** 2))
+        either = expected, 0.0 if self.held else current / speed
+        off, least = max(abs(one) for one in either), self.tolerance * max(most, abs(force))
+        sign = -1.0 if force < 0.0 else 1.0
+        excess = min(MORE * max(sign * one for one in either), abs(force))
+        self.excess = sign * excess if excess > least else 0.0
+        self.follows, self.most_off = unforeseen <= foreseen, max(self.most_off, off)
+        self.steady, self.balanced = self.balanced, off <= least
+
+    def count(self, path: np.ndarray, force: np.ndarray) -> np.ndarray:
+        """(n,) N of the forces (n,) N, signed, at the steps of an increment at places (n,) m: so much as is borne.
+
+        That is as much as at its end; or, where it falls, as it would be had it risen until then as it did before: so
+        does what breaks. What sets out with a jerk does not. While the specimen moves by itself, or the drive is held
+        for it and it is not at rest, no force counts that is higher than what was borne before.
+        """
+        along, way = self.towards * force, np.abs(path - self.place)
+        borne = float(along[-1] - self.towards * self.excess)
+        changes = abs(float(along[-1]) - self.last) > AT_REST * self.tolerance * abs(self.last)
+        by_itself = changes if self.held else not (self.follows or self.balanced)
+        if by_itself and borne > self.highest:
+            borne = self.highest
+            self.excess = self.towards * (float(along[-1]) - borne)
+        ceiling = np.full(len(along), borne)
+        if not self.held and (self.balanced or borne < self.borne):
+            ceiling = np.maximum(ceiling, self.borne + self.slope * way)
+        steady = self.steady and self.balanced and not self.held
+        self.slope = max((borne - self.borne) / float(way[-1]), 0.0) if steady else 0.0
+        self.place, self.last, self.highest = float(path[-1]), float(along[-1]), max(self.highest, borne)
+        self.borne = float(along[-1]) if self.held else borne
+        counts = along <= ceiling + self.tolerance * np.maximum(ceiling, 0.0)
+        self.largest_excess = max(self.largest_excess, float((along - ceiling)[~counts].max(initial=0.0)))
+        return self.towards * np.where(counts, along, ceiling)
