@@ -174,11 +174,6 @@ def test_what_a_slender_prism_or_a_light_one_on_a_heavy_one_bears_too_much_is_to
     assert share < accuracy or not trust(summary).startswith("sound")
 
 
-def test_there_are_such_prisms():
-    """That the accuracy is not kept there is admitted in docs/large-displacement.md."""
-    assert pushed(0.1, 1.0, 1e10, 0.01)[1] > 0.01
-
-
 @pytest.mark.parametrize("accuracy", [0.05, 0.01])
 def test_a_stack_of_two_rocks_as_one(accuracy):
     """Pushed at the centre of the upper one, at three quarters of its height."""

@@ -76,10 +76,11 @@ def test_damping_does_not_push_a_unit_that_rocks(accuracy):
     assert summary["damping_over_external"] > 0.0
 
 
-def test_drag_at_the_peak_is_told():
+def test_what_damping_takes_at_the_peak_counts_for_none():
     coarse, fine = (run("dry-rocking", drive__accuracy=accuracy) for accuracy in ("1 %", "0.1 %"))
     exact = fine["final_stress_pa"]
-    assert coarse["peak_stress_pa"] > 1.01 * exact and "of the force at the peak" in trust(coarse)
+    assert coarse["control"]["largest_excess"] > 0.01
+    assert coarse["peak_stress_pa"] == pytest.approx(exact, rel=0.01)
     assert fine["peak_stress_pa"] == pytest.approx(exact, rel=0.005)
 
 

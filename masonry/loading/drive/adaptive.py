@@ -215,7 +215,8 @@ class AdaptiveLoading(Loading):
     def piece(self, in_one: bool = False) -> Chunk:
         """What is left of an increment; so much at a time as is looked at, where the force may be the largest."""
         whole = len(self.pending) - 1
-        in_one = in_one or self.approach.elastic or bool(self.plan.reversals) or not self.borne.may_be_highest
+        in_one = in_one or self.approach.elastic or self.speed.takes_few_steps or bool(self.plan.reversals)
+        in_one = in_one or not self.borne.may_be_highest
         steps = whole if in_one else min(whole, ceil(self.speed.steps / self.settings.looks))
         speed, self.pending = self.pending[: steps + 1], self.pending[steps:]
         self.arrives_at = float(speed[-1])

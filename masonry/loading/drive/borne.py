@@ -33,21 +33,21 @@ class BorneForce(Remembering):
     slope      N/m, by which that rose before, at least 0; 0 where it was not in balance
     balanced   whether nothing was in excess there, or missing; steady  whether so before
     highest    N, the most that was borne        last  N, along the drive, of its force there
-    held       whether it rested there           follows  whether most of the motion there was expected
+    paused     whether it rested there           follows  whether most of the motion there was expected
     largest_excess  N, the most at any step by which the force exceeded what counts
     most_off   N, the most that inertia and damping took or gave since `taken` was asked
     """
 
     REMEMBERED = (
         *("excess", "place", "borne", "slope", "highest", "last", "most_off", "largest_excess"),
-        *("held", "follows", "steady", "balanced"),
+        *("paused", "follows", "steady", "balanced"),
     )
 
     def __init__(self, model: Model, accuracy: float, towards: float) -> None:
         self.model, self.tolerance, self.towards = model, BALANCED * accuracy, towards
         self.excess = self.place = self.borne = self.slope = self.highest = self.last = self.most_off = 0.0
         self.largest_excess = 0.0
-        self.held, self.follows, self.steady, self.balanced = False, True, True, True
+        self.paused, self.follows, self.steady, self.balanced = False, True, True, True
 
     def begin(self, force: float) -> None:
         """The dead loads have settled, with the drive at such a force (N, signed)."""
@@ -66,7 +66,7 @@ class BorneForce(Remembering):
     def feel(self, before: list[np.ndarray], speed: float, force: float, most: float) -> None:
         """See by how much the force (N, signed) of a drive of such a speed (m/s, signed) exceeds what is borne;
         before: velocities a step earlier; most: N, the largest force so far."""
-        self.held = speed == 0.0
+        self.paused = speed == 0.0
         expected = current = foreseen = unforeseen = 0.0
         for part, old in zip(parts_of(self.model), before, strict=True):
             left, v, guess = part.gained(old) / self.model.dt - part.body.hold, part.body.v, part.body.guess
@@ -75,7 +75,7 @@ class BorneForce(Remembering):
             current += float(np.sum(left * v))
             foreseen += float(np.sum(part.masses * (speed * guess) ** 2))
             unforeseen += float(np.sum(part.masses * (v - speed * guess) ** 2))
-        either = expected, 0.0 if self.held else current / speed
+        either = expected, 0.0 if self.paused else current / speed
         off, least = max(abs(one) for one in either), self.tolerance * max(most, abs(force))
         sign = -1.0 if force < 0.0 else 1.0
         excess = min(MORE * max(sign * one for one in either), abs(force))
@@ -93,17 +93,17 @@ class BorneForce(Remembering):
         along, way = self.towards * force, np.abs(path - self.place)
         borne = float(along[-1] - self.towards * self.excess)
         changes = abs(float(along[-1]) - self.last) > AT_REST * self.tolerance * abs(self.last)
-        by_itself = changes if self.held else not (self.follows or self.balanced)
+        by_itself = changes if self.paused else not (self.follows or self.balanced)
         if by_itself and borne > self.highest:
             borne = self.highest
             self.excess = self.towards * (float(along[-1]) - borne)
         ceiling = np.full(len(along), borne)
-        if not self.held and (self.balanced or borne < self.borne):
+        if not self.paused and (self.balanced or borne < self.borne):
             ceiling = np.maximum(ceiling, self.borne + self.slope * way)
-        steady = self.steady and self.balanced and not self.held
+        steady = self.steady and self.balanced and not self.paused
         self.slope = max((borne - self.borne) / float(way[-1]), 0.0) if steady else 0.0
         self.place, self.last, self.highest = float(path[-1]), float(along[-1]), max(self.highest, borne)
-        self.borne = float(along[-1]) if self.held else borne
+        self.borne = float(along[-1]) if self.paused else borne
         counts = along <= ceiling + self.tolerance * np.maximum(ceiling, 0.0)
         self.largest_excess = max(self.largest_excess, float((along - ceiling)[~counts].max(initial=0.0)))
         return self.towards * np.where(counts, along, ceiling)

@@ -91,7 +91,7 @@ def test_while_a_specimen_moves_by_itself_no_force_is_a_new_peak():
 def test_where_the_drive_is_held_a_force_counts_once_the_specimen_is_at_rest(share, counts):
     force = followed(highest=900.0)
     force.last = 1000.0 * (1.0 + share * AT_REST * TOLERANCE)
-    force.balanced, force.held = True, True
+    force.balanced, force.paused = True, True
     assert float(force.count(np.array([2e-3]), np.array([1000.0]))[0]) == (1000.0 if counts else 900.0)
     assert force.borne == 1000.0, "it goes on from there"
 
