@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from math import cbrt, ceil, inf, sqrt
+from math import cbrt, inf, sqrt
 
 import numpy as np
 
@@ -159,12 +159,7 @@ class AdaptiveLoading(Loading):
     brought: larger increments while elastic, smaller ones while cracking. A drive that turns back goes leg by leg, at
     rest at each turn; what else is measured against the path or the force of the test is measured against the largest
     so far then, as the force may pass through zero, and the drive through its start.
-
-    pending     (n + 1,) m/s, signed: of the drive in what is left of an increment     arrives_at  m/s, signed: of the
-                drive at the end of the chunk that was asked for last
     """
-
-    REMEMBERED = ("pending", "arrives_at")
 
     def __init__(self, model: Model, plan: Controlled, rows: int, settings: AdaptiveSettings = SETTINGS) -> None:
         self.model, self.plan, self.settings = model, plan, settings
@@ -173,9 +168,8 @@ class AdaptiveLoading(Loading):
         self.speed.target = self.at_once * settings.first
         self.guide, self.dry = Predictor(model), Dry(model, settings, plan.accuracy)
         self.approach, self.bounds = Approach(model), Bounds(model, plan.accuracy, settings)
-        self.increments, self.pause = Increments(), DrivePause(model, settings)
-        self.borne = BorneForce(model, plan.accuracy, self.path.sign)
-        self.pending, self.arrives_at = np.zeros(0), 0.0
+        self.increments = Increments(BorneForce(model, plan.accuracy, self.path.sign))
+        self.pause = DrivePause(model, settings)
 
     @property
     def at_once(self) -> float:
@@ -192,7 +186,7 @@ class AdaptiveLoading(Loading):
         settling = self.settling.next()
         if settling is not None:
             return settling
-        if len(self.pending):
+        if len(self.speed.pending):
             return self.piece()
         if self.path.left <= 1e-12 * self.path.goal and not self.turn():
             return self.increment(self.speed.to_rest()) if self.pause.at_end() else None
@@ -208,21 +202,16 @@ class AdaptiveLoading(Loading):
         """Book an increment of these speeds (n + 1,) m/s along the path, and make it, or its first piece."""
         self.increments.book(float(speed[:-1].sum()) * self.model.dt)
         self.path.moved += self.increments.made
-        self.speed.now = float(speed[-1])
-        self.pending = self.path.sign * speed
+        self.speed.now, self.speed.pending = float(speed[-1]), speed
         return self.piece(in_one)
 
     def piece(self, in_one: bool = False) -> Chunk:
         """What is left of an increment; so much at a time as is looked at, where the force may be the largest."""
-        whole = len(self.pending) - 1
         in_one = in_one or self.approach.elastic or self.speed.takes_few_steps or bool(self.plan.reversals)
-        in_one = in_one or not self.borne.may_be_highest
-        steps = whole if in_one else min(whole, ceil(self.speed.steps / self.settings.looks))
-        speed, self.pending = self.pending[: steps + 1], self.pending[steps:]
-        self.arrives_at = float(speed[-1])
-        if steps == whole:
-            self.pending = self.pending[1:]
-        return Chunk(np.full(steps + 1, self.plan.dead_load[-1]), speed, not len(self.pending))
+        in_one = in_one or not self.increments.borne.may_be_highest
+        speed = self.speed.piece(1 if in_one else self.settings.looks)
+        whole = not len(self.speed.pending)
+        return Chunk(np.full(len(speed), self.plan.dead_load[-1]), self.path.sign * speed, whole)
 
     def turn(self) -> bool:
         """Set out for the next place, slowly; False where there is none."""
@@ -241,16 +230,17 @@ class AdaptiveLoading(Loading):
         """So much as is borne, once the drive has set out."""
         if self.increments.count == 0:
             return force
-        self.borne.feel(before, self.arrives_at, float(force[-1]), self.increments.most_force)
-        return self.borne.count(path, force)
+        borne, speed = self.increments.borne, self.path.sign * self.speed.arrives_at
+        borne.feel(before, speed, float(force[-1]), self.increments.most_force)
+        return borne.count(path, force)
 
     def columns(self) -> dict[str, float]:
         """What of the force is not borne."""
-        return {EXCESS: abs(self.borne.excess)}
+        return {EXCESS: abs(self.increments.borne.excess)}
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:
         """Choose the next speed by the forces of drive and support (N), what contacts show, and the ledger (J)."""
-        row = DriveRow.of(force, support, seen, terms, self.borne.excess)
+        row = DriveRow.of(force, support, seen, terms, self.increments.borne.excess)
         if self.increments.count == 0:
             self.begin(row)
             return
@@ -266,7 +256,6 @@ class AdaptiveLoading(Loading):
     def begin(self, row: DriveRow) -> None:
         """The dead loads have settled."""
         self.increments.begin(row)
-        self.borne.begin(row.force)
         self.approach.begin(row.seen)
         self.guide.settle()
         if self.model.dry:
@@ -296,7 +285,7 @@ class AdaptiveLoading(Loading):
             if self.model.dry:
                 self.dry.see(row.force, self.guide.trust)
                 factor = min(factor, self.dry.factor(rise / last.most_force, self.bounds.unit))
-            taken = self.borne.taken() / last.most_force
+            taken = self.increments.borne.taken() / last.most_force
             factor = min(factor, max(settings.inertia * self.bounds.unit / max(taken, 1e-12), settings.slower))
         follows = approach.elastic or self.guide.trust > settings.unexpected
         follows = follows or abs(row.kinetic) <= settings.rest.energy * row.stored
@@ -355,10 +344,10 @@ class AdaptiveLoading(Loading):
             mean_lag=float(lag @ travel / max(travel.sum(), 1e-300)),
             largest_lag=float(lag.max()),
             drag_at_peak=held_up if towards * (force[highest] - self.increments.settled_force) > 0.0 else 0.0,
-            largest_excess=self.borne.largest_excess / max(abs(peak), 1e-300) if self.borne.largest_excess else 0.0,
+            largest_excess=self.increments.borne.largest_excess / max(abs(peak), 1e-300),
         )
 
     def parts(self) -> Mapping[str, Remembers]:
         """All that the next speed depends on."""
-        names = ("settling", "path", "speed", "guide", "dry", "approach", "bounds", "increments", "pause", "borne")
+        names = ("settling", "path", "speed", "guide", "dry", "approach", "bounds", "increments", "pause")
         return attributes(self, names)

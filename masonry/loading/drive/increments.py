@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from masonry.configuration.energy import Seen
+from masonry.loading.drive.borne import BorneForce
 from masonry.rows.columns import CRUSHING, stored_in
 from masonry.runtime.state_file import Remembering
 
@@ -37,6 +38,7 @@ class Increments(Remembering):
     most_stored, most_force      the most so far (J, N); farthest: of the places (m)
     work                         J, of the drive; work back counts as well
     settled_force                N, signed, before the drive moved
+    borne                        what of the force counts for the peak
     """
 
     REMEMBERED = (
@@ -44,8 +46,8 @@ class Increments(Remembering):
         *("most_stored", "most_force", "farthest", "work", "settled_force"),
     )
 
-    def __init__(self) -> None:
-        self.count = 0
+    def __init__(self, borne: BorneForce) -> None:
+        self.borne, self.count = borne, 0
         self.made = self.stored = self.broken = self.damped = self.place = self.force = 0.0
         self.most_stored = self.most_force = self.farthest = self.work = self.settled_force = 0.0
 
@@ -53,6 +55,7 @@ class Increments(Remembering):
         """The dead loads have settled."""
         self.stored = self.most_stored = row.stored
         self.force = self.settled_force = row.force
+        self.borne.begin(row.force)
 
     def book(self, made: float) -> None:
         """Another one sets out, of so much (m)."""
@@ -68,3 +71,7 @@ class Increments(Remembering):
     def close(self, row: DriveRow, damped: float) -> None:
         """The next one is measured from here."""
         self.stored, self.broken, self.damped = row.stored, row.broken, damped
+
+    def parts(self) -> dict[str, BorneForce]:
+        """What is borne."""
+        return {"borne": self.borne}

@@ -1,6 +1,7 @@
 """The speed of a drive between its increments, and the steps of one."""
 
 from functools import cache
+from math import ceil
 
 import numpy as np
 
@@ -19,14 +20,17 @@ class DriveSpeed(Remembering):
     cruise  the target of the last increment that did not stop
     steps   of an increment
     leap    the fastest that no block is flung by
+    pending     (n + 1,) m/s, at each step of what is left of an increment
+    arrives_at  m/s, at the end of the piece that was made last
     """
 
-    REMEMBERED = ("now", "target", "cruise", "steps")
+    REMEMBERED = ("now", "target", "cruise", "steps", "pending", "arrives_at")
 
     def __init__(self, model: Model, settings: AdaptiveSettings) -> None:
         self.dt, self.settings, self.steps = model.dt, settings, settings.steps
         self.leap = 0.5 * LEAP * smallest_block(model) / model.dt
-        self.now = self.target = self.cruise = 0.0
+        self.now = self.target = self.cruise = self.arrives_at = 0.0
+        self.pending = np.zeros(0)
 
     @property
     def duration(self) -> float:
@@ -46,6 +50,14 @@ class DriveSpeed(Remembering):
     def to_rest(self) -> np.ndarray:
         """(n + 1,) m/s, at each step of one in which the drive comes to rest, or stays there."""
         return self.now * (1.0 - passage(self.steps))
+
+    def piece(self, many: int) -> np.ndarray:
+        """(n + 1,) m/s, at each step of the next piece of an increment that is made in so many."""
+        whole = len(self.pending) - 1
+        steps = whole if many == 1 else min(whole, ceil(self.steps / many))
+        piece, self.pending = self.pending[: steps + 1], self.pending[steps:] if steps < whole else np.zeros(0)
+        self.arrives_at = float(piece[-1])
+        return piece
 
     def must_stop(self, left: float) -> bool:
         """Whether another increment would leave too little of the path (m) to come to rest on."""
