@@ -170,7 +170,7 @@ def test_what_a_slender_prism_or_a_light_one_on_a_heavy_one_bears_too_much_is_to
     summary, excess = pushed(0.1, high, 1e10, accuracy, (heavy,) if base else (), base)
     share, told = excess / (1.0 + excess), summary["control"]["drag_at_peak"]
     exceeded = summary["control"]["largest_excess"]
-    assert 0.95 * share < told < max(share, exceeded) + 0.3 * accuracy, "no more than the force ever exceeded the peak by"
+    assert 0.95 * share < told < max(share, exceeded) + 0.3 * accuracy, "no more than the force ever exceeded it by"
     assert (TOLD in trust(summary)) == (told > accuracy)
     assert share < accuracy or not trust(summary).startswith("sound")
 

@@ -17,7 +17,7 @@ BALANCED = 0.25
 """Accuracies by which a force may exceed what is borne at rest, over the largest: it counts as it is."""
 MORE = 1.25
 """Times as much as either says is taken off: what swings widely is not known better."""
-AT_REST = 0.1
+AT_REST = 0.01
 """Of the tolerance: where the drive is held, the specimen is at rest as soon as its force changes by less in a look."""
 NEAR = 0.9
 """Share of the largest force from which on the next may be larger."""
@@ -104,6 +104,6 @@ class BorneForce(Remembering):
         self.slope = max((borne - self.borne) / float(way[-1]), 0.0) if steady else 0.0
         self.place, self.last, self.highest = float(path[-1]), float(along[-1]), max(self.highest, borne)
         self.borne = float(along[-1]) if self.paused else borne
-        counts = along <= ceiling + self.tolerance * np.maximum(ceiling, 0.0)
+        counts = along <= ceiling + (0.0 if by_itself else self.tolerance) * np.maximum(ceiling, 0.0)
         self.largest_excess = max(self.largest_excess, float((along - ceiling)[~counts].max(initial=0.0)))
         return self.towards * np.where(counts, along, ceiling)

@@ -5,9 +5,12 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration.energy import velocities
+from masonry.loading.drive.adaptive import AdaptiveLoading, Controlled
 from masonry.loading.drive.borne import AT_REST, BALANCED, MORE, BorneForce
+from masonry.loading.programs import rise
 from masonry.rows.columns import EXCESS
 from masonry.rows.peak import borne, peak_row
+from masonry.runtime.state_file import read, write
 from masonry.scene import load
 
 ACCURACY = 0.02
@@ -116,3 +119,18 @@ def test_the_peak_of_rows_is_that_of_what_is_borne():
     assert peak_row(rows) == 3
     del rows[EXCESS]
     assert peak_row(rows) == 1
+
+
+def test_a_drive_goes_on_within_an_increment_from_a_file(tmp_path):
+    """Three of four pieces are left, and what is borne is known."""
+    model = assemble(load("couplet")).model
+    one, other = (AdaptiveLoading(model, Controlled(rise(10, 10), 1.0, 0.01), 100) for _ in range(2))
+    one.speed.pending, one.increments.borne.highest = np.linspace(1.0, 2.0, 81), 123.0
+    np.testing.assert_array_equal(one.speed.piece(4), np.linspace(1.0, 2.0, 81)[:21])
+    write(tmp_path / "state.npz", one.state())
+    other.restore(read(tmp_path / "state.npz"))
+    assert other.increments.borne.state() == one.increments.borne.state() and other.speed.arrives_at == 1.25
+    for last in (1.5, 1.75, 2.0):
+        for drive in (one, other):
+            assert drive.speed.piece(4)[-1] == pytest.approx(last) and drive.speed.arrives_at == pytest.approx(last)
+    assert not len(one.speed.pending) and not len(other.speed.pending)
