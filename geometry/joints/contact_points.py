@@ -15,9 +15,10 @@ Points = tuple[np.ndarray, np.ndarray, np.ndarray]
 def contact_points(corners: np.ndarray, count: np.ndarray, density: Density) -> Points:
     """Polygon (C,), point (C, 3) m and area (C,) m2 for padded polygons (N, K, 3) with count (N,) corners.
 
-    Parallelograms: m x n points, "gauss" at the Gauss-Legendre places of both edges, "vertex" at equal steps from end
-    to end with trapezoid weights. Other polygons are split into triangles round their centroid, and these into smaller
-    ones: "gauss" has points within each, "vertex" on their corners.
+    Parallelograms: m x n points, "gauss" at the Gauss-Legendre places of both edges, "vertex" at those of Gauss and
+    Lobatto, from end to end. Other polygons are split into triangles round their centroid, and these into smaller ones:
+    "gauss" has points within each, "vertex" on their corners and in their middles. From two points of "gauss" along an
+    edge on, and three of "vertex", second moments are exact.
     """
     regular = _parallelograms(corners, count)
     even, odd = np.flatnonzero(regular), np.flatnonzero(~regular)

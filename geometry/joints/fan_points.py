@@ -46,7 +46,7 @@ def fan_points(corners: np.ndarray, count: np.ndarray, which: np.ndarray, densit
         if sectors:
             parts_points.append(_in_sectors(mine, sectors))
         elif density.rule == "vertex":
-            parts_points.append(_on_corners(mine, count) if parts == 1 else _on_lattice(mine, count, parts))
+            parts_points.append(_on_lattice(mine, count, parts) if inside else _on_corners(mine, count))
         else:
             parts_points.append(_in_triangles(mine, parts, inside))
     polygon, point, area = (np.concatenate(arrays) for arrays in zip(*parts_points, strict=True))
@@ -124,8 +124,10 @@ def _on_corners(fan: Triangles, count: np.ndarray) -> Points:
 
 
 def _on_lattice(fan: Triangles, count: np.ndarray, parts: int) -> Points:
-    """Each corner of the small triangles, once in a polygon, stands for a third of those round it."""
-    corner = np.round(_small_triangles(parts) * parts).astype(np.int64).reshape(-1, 3)
+    """Each small triangle has a twelfth of its area at each of its corners, once in a polygon, and the rest in its
+    middle, which is exact to degree 2."""
+    small = _small_triangles(parts)
+    corner = np.round(small * parts).astype(np.int64).reshape(-1, 3)
     place, times = np.unique(corner, axis=0, return_counts=True)
     ring, along = place[:, 1] + place[:, 2], place[:, 2]
     triangle, k = (grid.ravel() for grid in np.indices((len(fan.polygon), len(place))))
@@ -134,6 +136,9 @@ def _on_lattice(fan: Triangles, count: np.ndarray, parts: int) -> Points:
     width = int(count.max()) * parts + 1
     key = (polygon * (parts + 1) + ring[k]) * width + step
     _, first, number = np.unique(key, return_index=True, return_inverse=True)
-    area = np.bincount(number, fan.area[triangle] * times[k] / (3 * parts**2))
+    area = np.bincount(number, fan.area[triangle] * times[k] / (12 * parts**2))
     point = np.einsum("nd,ndi->ni", place[k[first]] / parts, fan.corners[triangle[first]])
-    return polygon[first], point, area
+    middles = np.einsum("pd,tdi->tpi", small.mean(axis=1), fan.corners).reshape(-1, 3)
+    inside = np.repeat(fan.area * 0.75 / parts**2, len(small))
+    polygons = np.concatenate([polygon[first], np.repeat(fan.polygon, len(small))])
+    return polygons, np.concatenate([point, middles]), np.concatenate([area, inside])

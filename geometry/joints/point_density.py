@@ -12,6 +12,8 @@ from geometry.blocks import GeometryError
 RULES = ("gauss", "vertex")
 FINEST = 200
 """Longest edge over spacing, beyond which the spacing is taken for a slip of a unit."""
+NEWTON = 12
+"""Rounds, of which each doubles the digits: more than are needed."""
 
 
 @dataclass(frozen=True)
@@ -20,7 +22,8 @@ class Fan:
 
     sectors  (N,) points, each in the middle of its share of the fan; 0 where parts counts
     parts    (N,) steps into which every edge of a triangle is cut, which gives parts^2 small triangles
-    inside   (N,) points in each small triangle, 1 or 3 (exact to degree 2); rule "gauss" only
+    inside   (N,) points in each small triangle: 1 or 3 (exact to degree 2) of "gauss"; of "vertex" 1 besides those at
+             its corners (exact to degree 2), 0 where the polygon has points at its own corners alone
     """
 
     sectors: np.ndarray
@@ -78,17 +81,20 @@ class Density:
 
     def of_fans(self, count: np.ndarray, normal: np.ndarray, longest: np.ndarray) -> Fan:
         """For polygons with count (N,) corners, unit normals (N, 3), and the longest edge (N,) m of their fans."""
-        none, three = np.zeros(len(count), dtype=np.int64), np.full(len(count), 3)
+        none, gauss = np.zeros(len(count), dtype=np.int64), self.rule == "gauss"
         if self.spacing is not None:
             self._require_coarse(longest)
-            step = 2 if self.rule == "gauss" else 1  # three points in a triangle are half an edge apart
-            return Fan(none, np.maximum(np.ceil(longest / (step * self.spacing)), 1).astype(np.int64), three)
+            step = 2 if gauss else 1  # three points in a triangle are half an edge apart
+            parts = np.maximum(np.ceil(longest / (step * self.spacing)), 1).astype(np.int64)
+            return Fan(none, parts, np.where(gauss, 3, parts > 1))
         if self.per_face is not None:
             return _fans_of(count, self.per_face, self.rule)
         per_axis = np.broadcast_to(np.array(self.per_edge, dtype=np.int64), 3)
         along = np.argsort(np.abs(normal), axis=1, kind="stable")[:, :2]
         number = per_axis[along].min(axis=1)
-        return Fan(none, (number + 1) // 2 if self.rule == "gauss" else number - 1, three)
+        if gauss:
+            return Fan(none, (number + 1) // 2, np.full(len(count), 3))
+        return Fan(none, np.maximum(2 * (number - 1) // 3, 1), np.minimum(number - 2, 1))
 
     def _by_spacing(self, length: np.ndarray) -> np.ndarray:
         """The fewest points along edges (N, 2) m whose neighbours are no further apart than the spacing."""
@@ -111,13 +117,27 @@ class Density:
 
 
 def edge_rule(rule: str, number: int) -> tuple[np.ndarray, np.ndarray]:
-    """Places in [0, 1] along an edge and their weights, which add up to 1: "gauss" or "vertex" (trapezoid)."""
-    if rule == "gauss":
-        place, weight = np.polynomial.legendre.leggauss(number)
-        return (place + 1) / 2, weight / 2
-    place, weight = np.linspace(0.0, 1.0, number), np.full(number, 1.0 / (number - 1))
-    weight[[0, -1]] /= 2
-    return place, weight
+    """Places in [0, 1] along an edge and their weights, which add up to 1: of Gauss and Legendre ("gauss"), or of Gauss
+    and Lobatto ("vertex"), which begin and end at the ends of the edge."""
+    place, weight = np.polynomial.legendre.leggauss(number) if rule == "gauss" else lobatto(number)
+    return (place + 1) / 2, weight / 2
+
+
+@lru_cache(maxsize=256)
+def lobatto(number: int) -> tuple[np.ndarray, np.ndarray]:
+    """Places in [-1, 1], rising, and weights, which add up to 2 (Abramowitz and Stegun 25.4.32): exact to the power
+    2 number - 3. By Newton, from the places of Chebyshev on: where the Legendre polynomial of degree n = number - 1 has
+    its extremes, x P_n = P_(n-1)."""
+    n = number - 1
+    place = -np.cos(np.pi * np.arange(number) / n)
+    for _ in range(NEWTON):
+        before, now = np.ones(number), place.copy()
+        for k in range(2, number):
+            before, now = now, ((2 * k - 1) * place * now - (k - 1) * before) / k
+        place = place - (place * now - before) / (number * now)
+    place = 0.5 * (place - place[::-1])
+    weight = 2.0 / (n * number * now**2)
+    return place, weight * (2.0 / weight.sum())
 
 
 @lru_cache(maxsize=4096)
@@ -139,9 +159,10 @@ def _fans_of(count: np.ndarray, wanted: int, rule: str) -> Fan:
     """The fans whose number of points is nearest (as a ratio) to the wanted one."""
     parts = np.arange(1, int(np.sqrt(wanted)) + 2)
     if rule == "vertex":
-        points = np.where(parts == 1, count[:, None], 1 + count[:, None] * parts * (parts + 1) // 2)
+        lattices = 1 + count[:, None] * parts * (3 * parts + 1) // 2
+        points = np.column_stack([count, lattices])
         nearest = np.argmin(np.abs(np.log(points / wanted)), axis=1)
-        return Fan(np.zeros_like(count), parts[nearest], np.full(len(count), 3))
+        return Fan(np.zeros_like(count), np.maximum(nearest, 1), np.minimum(nearest, 1))
     off = np.abs(np.log(count[:, None, None] * parts[:, None] ** 2 * np.array([1, 3]) / wanted))
     nearest = np.argmin(off.reshape(len(count), -1), axis=1)
     return Fan(np.where(count >= wanted, wanted, 0), parts[nearest // 2], np.array([1, 3])[nearest % 2])

@@ -1,4 +1,6 @@
-"""How stiffly a joint face bends by its contact points, beside a stress that is spread over its area."""
+"""How stiffly a joint face bends and twists by its contact points, beside a stress that is spread over its area."""
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,22 +11,55 @@ FLAT = 1e-9
 """Of the largest second moment of a face: a smaller one is that of points in one row, or across its plane."""
 FITS = 1e-6
 """Of the area of a polygon: contact points whose areas add up to another one do not stand for it."""
+SAME = 1e-9
+"""Share of a polar moment: less is round-off."""
 
 
-def lacking_flexibility(joints: Joints) -> np.ndarray:
-    """(J, 3, 3) 1/m4: by how much more a face turns, over moment and stiffness, than its contact points let it.
+class Lacks(NamedTuple):
+    """By how much more each face would turn, over moment and stiffness, were a stress spread over its area: (J, 3, 3)
+    1/m4, onto moments in its plane and onto the twist about its normal."""
 
-    The inverse of the second moments of area of its polygon, less that of its points; both about their middle. 0 for
-    points that bend as the area does, such as four of rule "gauss"; below 0 for points that bend too softly. A face
-    with one row of points has no moment across that row.
+    bending: np.ndarray
+    twist: np.ndarray
+
+    @property
+    def any(self) -> bool:
+        """Whether contact points of some face bend or twist otherwise than its area does."""
+        return bool((self.bending != 0.0).any() or (self.twist != 0.0).any())
+
+    def over(self, normal: np.ndarray, shear: np.ndarray) -> np.ndarray:
+        """(J, 3, 3) rad/(N m), of faces with stiffnesses (J,) Pa/m; what has no shear stiffness bears no twist."""
+        softness = np.divide(1.0, shear, out=np.zeros(len(shear)), where=shear > 0.0)
+        return np.asarray(self.bending / normal[:, None, None] + self.twist * softness[:, None, None])
+
+
+def lacking_flexibility(joints: Joints) -> Lacks:
+    """The inverse of the second moments of area of each polygon, and of the polar one, less those of its points; all
+    about their middle. 0 for points that turn as the area does, such as four of rule "gauss"; below 0 for points that
+    turn too softly. A face with one row of points has no moment across that row, one with a single point no twist.
     """
     index = np.arange(len(joints.patch_points))
     corners = pad(joints.patch_points, joints.patch_start, index)[0]
     area, normal, centroid = areas_normals_centroids(corners)
     of_points, summed = _of_points(joints, len(area))
-    fits = (area > 0.0) & (np.abs(summed - area) <= FITS * area)
-    lacks = _inverse(_of_polygons(corners, normal, centroid)) - _inverse(of_points)
-    return np.asarray(np.where(fits[:, None, None], lacks, 0.0))
+    of_area = of_polygons(corners, normal, centroid)
+    fits = ((area > 0.0) & (np.abs(summed - area) <= FITS * area))[:, None, None]
+    bending = _inverse(of_area) - _inverse(of_points)
+    polar, about = np.trace(of_area, axis1=1, axis2=2), np.trace(of_points, axis1=1, axis2=2)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        twist = np.where(about > FLAT * polar, 1.0 / polar - 1.0 / about, 0.0)
+    twist[np.abs(twist) * polar <= SAME] = 0.0
+    along = normal[:, :, None] * normal[:, None, :]
+    return Lacks(np.where(fits, bending, 0.0), np.where(fits, twist[:, None, None] * along, 0.0))
+
+
+def moments(joints: Joints, pull: np.ndarray, shear: np.ndarray) -> np.ndarray:
+    """(J, 3) N m of forces along the normals (C,) N and across them (C, 3) N: of bending towards where each face opens,
+    of twist along its normal."""
+    arm, count = arms(joints), len(joints.patch_start) - 1
+    twist = np.einsum("ci,ci->c", joints.normal, np.cross(arm, shear))
+    each = pull[:, None] * arm + twist[:, None] * joints.normal
+    return np.stack([np.bincount(joints.patch, values, count) for values in each.T], axis=1)
 
 
 def arms(joints: Joints) -> np.ndarray:
@@ -43,7 +78,7 @@ def _of_points(joints: Joints, count: int) -> tuple[np.ndarray, np.ndarray]:
     return np.stack(products, axis=1).reshape(-1, 3, 3), area
 
 
-def _of_polygons(corners: np.ndarray, normal: np.ndarray, centroid: np.ndarray) -> np.ndarray:
+def of_polygons(corners: np.ndarray, normal: np.ndarray, centroid: np.ndarray) -> np.ndarray:
     """(J, 3, 3) m4 of padded polygons (J, K, 3), by triangles from the centroid to each edge."""
     p = corners - centroid[:, None]
     q = np.roll(p, -1, axis=1)

@@ -68,17 +68,16 @@ def said(summary: dict) -> float:
 
 ALL = [
     ("", 0.0),
-    *((points("vertex", n), 2.0 / (n - 1) ** 2) for n in (2, 3, 4, 12)),
+    (points("vertex", 2), 2.0),
+    *((points("vertex", n), 0.0) for n in (3, 4, 12)),
     *((points("gauss", n), 0.0) for n in (2, 3, 4)),
 ]
-"""Points, and by how much more than 1 their second moment is over that of the area: 2/(n - 1)^2 at equal steps."""
+"""Points, and by how much more than 1 their second moment is over that of the area."""
 
 
 @pytest.mark.parametrize("displacements", ["small", "large"])
 @pytest.mark.parametrize(("where", "more"), ALL)
 def test_the_tip_is_off_by_what_is_told(displacements, where, more):
-    if not where and displacements == "large":
-        more = 2.0 / 9.0
     summary = laboratory.run(cantilever(displacements, where)).summary
     tip = summary["gauges"]["top"]["final_m"]
     assert tip == pytest.approx(PUSH * HEIGHT / STIFFNESS + TURNS * HEIGHT / (1.0 + more), rel=2e-3)
@@ -103,14 +102,16 @@ def test_a_block_that_is_pressed_evenly_hardly_bends_its_joint():
     assert said(laboratory.run(scene).summary) == 0.0
 
 
-@pytest.mark.parametrize(("displacements", "where", "share"), [("large", "", 18), ("small", points("vertex", 2), 65)])
+@pytest.mark.parametrize(
+    ("displacements", "where", "share"), [(one, points("vertex", 2), 65) for one in ("large", "small")]
+)
 def test_check_foretells_it(displacements, where, share):
     (line,) = laboratory.check(cantilever(displacements, where)).warnings
     assert f"about {share} % too small" in line
     assert not laboratory.check(cantilever(displacements, points("gauss", 2))).warnings
 
 
-@pytest.mark.parametrize("along", [2, 3, 4])
+@pytest.mark.parametrize("along", [2])
 def test_modes_say_by_how_much_the_frequency_is_too_high(along):
     exact = masonry.modes(cantilever("small", points("gauss", 2)), 1)
     assert not exact.remarks

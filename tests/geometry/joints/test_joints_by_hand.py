@@ -71,15 +71,32 @@ def test_corners_of_a_polygon_stand_for_half_of_the_triangles_beside_them():
     assert joints.area.sum() == pytest.approx(area)
 
 
-@pytest.mark.parametrize("number", [2, 3, 5])
-def test_points_at_the_ends_of_an_edge_stand_for_half_of_a_step(number):
+LOBATTO = {2: [1 / 2, 1 / 2], 3: [1 / 6, 2 / 3, 1 / 6], 5: [1 / 20, 49 / 180, 16 / 45, 49 / 180, 1 / 20]}
+"""Weights along an edge: half of those of Abramowitz and Stegun, table 25.6."""
+PLACES = {2: [0.0, 1.0], 3: [0.0, 0.5, 1.0], 5: [0.0, 0.5 - 0.5 * (3 / 7) ** 0.5, 0.5, 0.5 + 0.5 * (3 / 7) ** 0.5, 1.0]}
+
+
+@pytest.mark.parametrize("number", LOBATTO)
+def test_points_at_the_edges_are_those_of_gauss_and_lobatto(number):
     blocks = boxes(((0, 0, 0), (300, 200, 50)), ((0, 0, 50), (300, 200, 100)))
     joints = find_joints(blocks, "vertex", [number, 2, 2])
-    at_end = np.isclose(joints.point[:, 0], 0.0) | np.isclose(joints.point[:, 0], 0.3)
-    step = 0.3 / (number - 1)
-    assert joints.area[at_end] == pytest.approx(np.full(4, 0.5 * step * 0.1))
-    assert joints.area[~at_end] == pytest.approx(np.full(2 * number - 4, step * 0.1))
+    order = np.lexsort((joints.point[:, 0], joints.point[:, 1].round(9)))
+    assert joints.point[order, 0] == pytest.approx(np.tile(PLACES[number], 2) * 0.3, abs=1e-12)
+    assert joints.area[order] == pytest.approx(np.tile(LOBATTO[number], 2) * 0.3 * 0.1)
     assert len(np.unique(np.round(joints.point[:, 1], 9))) == 2, "so many along x, and two along y"
+
+
+@pytest.mark.parametrize("density", [{"points_per_edge": n} for n in (3, 4, 7, 12)] + [{"points_per_face": 60}])
+def test_points_at_the_edges_of_any_polygon_have_its_second_moments(density, prism):
+    """A quadrilateral without right angles, and a triangle: both through their corners, and exact to degree 2."""
+    for flat in (np.array([[0, 0], [0.5, 0.1], [0.4, 0.35], [-0.1, 0.2]]), np.array([[0, 0], [0.4, 0.05], [0.1, 0.3]])):
+        below, above = prism(flat, -0.1, 0.0), prism(flat, 0.0, 0.1)
+        joints = find_joints(from_faces([below, above], [0, 1], [0, 0], ["g"]), "vertex", **density)
+        many = find_joints(from_faces([below, above], [0, 1], [0, 0], ["g"]), "gauss", 2)
+        moments = [np.einsum("c,ci,cj->ij", one.area, one.point, one.point) for one in (joints, many)]
+        assert moments[0] == pytest.approx(moments[1], rel=1e-9, abs=1e-12)
+        gap = np.linalg.norm(joints.point[:, None, :2] - flat, axis=2).min(axis=0)
+        assert gap == pytest.approx(np.zeros(len(flat)), abs=1e-12), "points lie at all corners"
 
 
 def test_a_joint_over_a_gap_lies_half_way_be_it_wide_or_narrow():
@@ -143,11 +160,11 @@ def test_nodes_of_a_face_share_out_its_area_a_third_of_each_triangle():
 
 def test_tiles_end_half_way_between_neighbouring_points():
     blocks = boxes(((0, 0, 0), (300, 200, 50)), ((0, 0, 50), (300, 200, 100)))
-    joints = find_joints(blocks, "vertex", [3, 2, 2])
+    joints = find_joints(blocks, "vertex", [2, 2, 2])
     start, points = tiles(joints)
     corners, _ = pad(points, start, np.arange(len(points)))
     area = areas_normals_centroids(corners)[0]
-    assert area == pytest.approx(joints.area), "on a lattice with trapezoid weights they are the areas"
+    assert area == pytest.approx(joints.area), "of points at the corners alone they are the areas"
 
 
 def test_a_flat_tet_is_told_by_three_inradii_over_the_circumradius():
