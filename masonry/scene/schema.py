@@ -28,6 +28,8 @@ from masonry.scene.tables.types import KeyedError, Law, Motion, ReadOnly, Streng
 
 SAMPLING = 200.0
 """Rows a second of a scene whose ground moves: gauges of accelerations are good up to a fifth of it."""
+TURNED = {"x": "yz", "y": "xz", "z": "xy"}
+"""Along which axes what is turned about one acts."""
 INVENTED = "a placeholder that the import made up: put in your own"
 """What `masonry import` notes in [assumptions] of a key that the file does not hold."""
 
@@ -106,14 +108,27 @@ class SceneData(Table):
     @property
     def points_per_edge(self) -> PerAxis | None:
         """By axis; None where there are so many on a face, or so far apart. Points at the edges need four, as two alone
-        make a joint three times as strong in bending as its elastic limit; four, 1.22 times. An edge that crushes needs
-        more of them, in the plane of a wall; cells are small enough."""
+        make a joint three times as strong in bending as its elastic limit. An edge that crushes needs more of them: in
+        the plane of a wall, and through its thickness where something acts along y; cells are small enough."""
         if self.chooses_points:
             return self.specimen.points_per_edge
         at_edges, crushes = self.contact_points == "vertex", any(one.crushing for one in self.contact.values())
         if crushes and getattr(self.specimen, "cells", None) is None:
-            return PerAxis(10, 4, 10) if at_edges else PerAxis(6, 2, 6)
+            along, across = (10, 4) if at_edges else (6, 2)
+            return PerAxis(along, along if self.acts_along_y else across, along)
         return PerAxis(4, 4, 4) if self.is_large and at_edges else self.specimen.points_per_edge
+
+    @property
+    def acts_along_y(self) -> bool:
+        """Whether the drive, a load or the ground acts along y, so that joints bend across the edges along it."""
+        limit, gravity = self.limit, self.gravity
+        along = [limit.direction, limit.about and TURNED[limit.about[-1]]] if limit is not None else []
+        along += [self.drive.direction] if self.drive is not None else []
+        along += [TURNED[gravity.tilt.about]] if gravity is not None and gravity.tilt is not None else []
+        parts = [bool(traction.stress.y) for traction in self.traction] + [bool(motion.y) for motion in self.ground]
+        parts += [gravity.y != 0.0] if gravity is not None else []
+        parts += [bool(part.y) for part in (limit.force, limit.stress) if part] if limit is not None else []
+        return any("y" in word for word in along if word) or any(parts)
 
     @property
     def chooses_points(self) -> bool:

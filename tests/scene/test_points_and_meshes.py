@@ -127,6 +127,11 @@ CRUSHES = {"contact.unit_unit.crushing": "cut-off", "contact.unit_unit.compressi
     [
         ({}, (6, 2, 6)),
         ({"specimen.contact_points": "vertex"}, (10, 4, 10)),
+        ({"limit.about": "x"}, (6, 6, 6)),
+        ({"limit.about": "-x", "specimen.contact_points": "vertex"}, (10, 10, 10)),
+        ({"gravity.y": "1 m/s^2"}, (6, 6, 6)),
+        ({"traction": [{"on": "x+", "stress": {"x": "1 kPa"}}]}, (6, 2, 6)),
+        ({"traction": [{"on": "y+", "stress": {"y": "1 kPa"}}]}, (6, 6, 6)),
         ({"specimen.points_per_edge": 3}, (3, 3, 3)),
         ({"specimen.cells.total": 10}, (2, 2, 2)),
     ],
