@@ -51,6 +51,7 @@ FLOORS = (
         "masonry.assembly",
     ),
     *(
+        "masonry.estimates",
         "masonry.drawings",
         "masonry.limit_analysis",
         "masonry.modal_analysis",

@@ -24,6 +24,7 @@ from masonry.limit_analysis.remarks import (
     say_what_it_is,
     scene_remarks,
 )
+from masonry.limit_analysis.twists import say_of_twists
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
 from masonry.statics.no_dilation import without_dilation
@@ -152,6 +153,7 @@ def _set_factor(
     if solution.status != "solved":
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(solution)
+    say_of_twists(result, bodies, contacts)
     if wishes.dilation:
         say_of_sliding(result, bodies, contacts, solution, cones=not wishes.sides)
     if bodies.together is None:

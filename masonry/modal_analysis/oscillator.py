@@ -75,6 +75,13 @@ class Oscillator:
         rows = np.concatenate([np.repeat(which, PER_CONTACT), np.ones(count, dtype=bool)])
         return sparse.csr_array(sparse.diags_array(rows.astype(float)) @ self.strain_matrix)
 
+    def forces(self, scaled: np.ndarray) -> np.ndarray:
+        """(C, 3) N of the contacts, where B times the dofs is `scaled` (R,)."""
+        count = len(self.joints.area)
+        root = np.sqrt(np.column_stack([self.normal, self.shear, self.shear]))
+        across = scaled[: PER_CONTACT * count].reshape(count, PER_CONTACT) * root
+        return np.asarray(np.einsum("ck,cki->ci", across, _frames(self.joints.normal)))
+
     def by_kind(self, values: np.ndarray) -> dict[str, np.ndarray]:
         """Values (n,) as rows of dofs, kind by kind."""
         return {

@@ -9,11 +9,11 @@ import pytest
 import verification
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
+from masonry.estimates.joint_faces import faces_of, look_at
+from masonry.estimates.joint_sections import envelope, of_points, spread, strength
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
-from masonry.laboratory.remarks.joint_faces import faces_of, look_at
-from masonry.laboratory.remarks.joint_sections import envelope, of_points, spread, strength
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
@@ -131,7 +131,7 @@ def test_the_moment_of_a_bed_is_off_as_the_run_says_with_points_inside_or_at_the
 def test_a_wall_in_which_joints_bend_and_slide_says_to_which_side_its_peak_is_off():
     wall = walls()["wall with a door"]
     right = peak_and_word(wall, "gauss", 10)[0]
-    for rule, rows in (("gauss", 2), ("vertex", 2), ("vertex", 4)):
+    for rule, rows in (("gauss", 2), ("vertex", 2)):
         peak, word, _ = peak_and_word(wall, rule, rows)
         assert abs(peak / right - 1.0) > 0.05 and (word - 1.0) * (peak - right) > 0.0, (rule, rows)
         assert word == pytest.approx(peak / right, rel=0.15), (rule, rows)

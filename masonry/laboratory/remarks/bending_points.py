@@ -9,5 +9,5 @@ def advice_for(assembly: Assembly) -> str:
     if (joints.node_a >= 0).any() or (joints.node_b >= 0).any():
         return "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"
     if assembly.scene.contact_points == "vertex":
-        return 'take specimen.points_per_edge = 12 or more, or specimen.contact_points = "gauss" where they stay closed'
+        return "take specimen.points_per_edge = 4, or 3 at least"
     return 'take specimen.contact_points = "gauss" with 2 points per edge or more'

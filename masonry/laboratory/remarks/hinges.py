@@ -6,9 +6,9 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.parts.parts import parts_of
+from masonry.estimates.joint_faces import Faces, corners_of
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.edge_reach import is_dry
-from masonry.laboratory.remarks.joint_faces import Faces, corners_of
 
 SLIVER = 1e-3
 """Depth of a joint over the root of its area, below which it bears no moment whatever its points are."""

@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.laboratory.remarks.joint_faces import Faces, Look, faces_of, look_at
+from masonry.estimates.joint_faces import Faces, Look, Shear, faces_of, look_at, shear_of
 from masonry.rows.columns import FACTOR
 from masonry.rows.history import Frame
 from masonry.timeloop.recording import Outcome
@@ -21,6 +21,7 @@ class Inspection:
     def __init__(self, assembly: Assembly, outcome: Outcome) -> None:
         self.assembly, self.outcome = assembly, outcome
         self._looks: dict[int, Look] = {}
+        self._shears: dict[int, Shear] = {}
 
     @property
     def frames(self) -> list[Frame]:
@@ -37,6 +38,12 @@ class Inspection:
         if number not in self._looks:
             self._looks[number] = look_at(self.assembly, self.faces, self.frames[number])
         return self._looks[number]
+
+    def shear(self, number: int) -> Shear:
+        """How the joint faces are sheared in the frame of a number."""
+        if number not in self._shears:
+            self._shears[number] = shear_of(self.assembly, self.faces, self.frames[number])
+        return self._shears[number]
 
     @cached_property
     def peak(self) -> int:
@@ -57,6 +64,12 @@ class Inspection:
         drive, limit = self.assembly.scene.drive, self.assembly.scene.limit
         wanted = drive.accuracy if drive is not None else None if limit is None else limit.run_accuracy
         return max(WITHOUT if wanted is None else wanted, LEAST)
+
+    @property
+    def is_for_strength(self) -> bool:
+        """Whether the run is made for a load that is borne: that of a drive, or one that grows."""
+        limit = self.assembly.scene.limit
+        return self.assembly.scene.drive is not None or (limit is not None and limit.run_accuracy is not None)
 
     @property
     def strength(self) -> str:

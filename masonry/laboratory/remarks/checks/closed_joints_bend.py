@@ -1,15 +1,15 @@
-"""Will joints that stay closed bend too stiffly by their contact points? Asked of a scene whose dead loads alone act on
-joints that pull, in their elastic equilibrium; a run says so of others."""
+"""Will joints that stay closed bend or twist too stiffly by their contact points? Asked of a scene whose dead loads
+alone act on joints that pull, in their elastic equilibrium; a run says so of others."""
 
 import numpy as np
 
 from geometry.joints.second_moments import lacking_flexibility
 from masonry.assembly.assemble import Assembly
 from masonry.errors import SceneError
+from masonry.estimates.elastic_joints import lacking_work
 from masonry.laboratory.remarks.bending_points import advice_for
 from masonry.laboratory.remarks.edge_reach import is_dry
 from masonry.laboratory.remarks.inspection import WITHOUT
-from masonry.modal_analysis.bending import lacking_work
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.modal_analysis.pressed import equilibrium
 
@@ -24,7 +24,7 @@ def remarks(assembly: Assembly) -> list[str]:
     if scene.drive is not None or scene.limit is not None or dry or not 0 < len(joints.area) <= MOST:
         return []
     lacks = lacking_flexibility(joints)
-    if not np.abs(lacks).max() * float(joints.area.max()) ** 2 > WITHOUT:
+    if not lacks.any:
         return []
     oscillator = oscillator_of(scene)
     if not oscillator.load[oscillator.free].any():
@@ -33,10 +33,13 @@ def remarks(assembly: Assembly) -> list[str]:
         jump = equilibrium(oscillator, np.ones(len(joints.area), dtype=bool))
     except SceneError:  # it does not stand, whatever its points are
         return []
-    work = np.column_stack([oscillator.normal, oscillator.shear, oscillator.shear]) * jump**2
-    more = lacking_work(oscillator, lacks, oscillator.normal * jump[:, 0])
-    off = more / max(float(work.sum()) + more, 1e-300)
+    stiffness = np.column_stack([oscillator.normal, oscillator.shear])
+    root = np.sqrt(stiffness[:, [0, 1, 1]])
+    more = lacking_work(joints, lacks, stiffness, oscillator.forces((root * jump).ravel()))
+    off = more / max(float(((root * jump) ** 2).sum()) + more, 1e-300)
     if off <= WITHOUT:
         return []
     much = f"movements under dead loads may be about {100.0 * off:.2g} % too small"
-    return [f"joints that stay closed bend too stiffly by their contact points: {much}; {advice_for(assembly)}"]
+    return [
+        f"joints that stay closed bend or twist too stiffly by their contact points: {much}; {advice_for(assembly)}"
+    ]

@@ -13,10 +13,10 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.contact_pairs import points_along
 from masonry.detection.spread import rounds_of
+from masonry.estimates.joint_faces import MOST, Faces, corners_of, law_of
+from masonry.estimates.joint_sections import NARROW, Section, of_points, spread
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.joint_faces import MOST, Faces, corners_of, law_of
-from masonry.laboratory.remarks.joint_sections import NARROW, Section, of_points, spread
 from masonry.rows.columns import CRUSHING, FACTOR
 
 OFF = 0.03

@@ -9,11 +9,11 @@ turn.
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
+from masonry.estimates.joint_faces import MOST, Faces, Look, corners_of, law_of
+from masonry.estimates.joint_sections import Section, envelope, plane, spread, strength
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.hinges import Hinges, free_hinges, hinges_of, more_points
 from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.joint_faces import MOST, Faces, Look, corners_of, law_of
-from masonry.laboratory.remarks.joint_sections import Section, envelope, plane, spread, strength
 from masonry.results.deformation import BlockCorners, Deformation
 
 FEELS = 1e-3

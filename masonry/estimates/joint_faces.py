@@ -5,8 +5,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from geometry.blocks import Joints
+from geometry.joints.contact_points import contact_points
+from geometry.joints.point_density import Density
+from geometry.joints.second_moments import Lacks, lacking_flexibility, of_polygons
 from masonry.assembly.assemble import Assembly
+from masonry.assembly.contact_pairs import points_along
+from masonry.detection.spread import AT_CORNERS, rounds_of
 from masonry.laws.state import JointProperties
+from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE
 from masonry.rows.history import Frame
 
@@ -30,6 +36,8 @@ class Faces(NamedTuple):
     normal     (J, 3)
     group      (J,) contact group
     stiffness  (J,) Pa/m, normal
+    softness   (J, 3, 3) rad/(N m), by how much more each would bend and twist by a stress spread over its area than by
+               its contact points, as long as it is elastic
     glued      (J,) whether it has a tensile strength
     arm        (C, 3) m, from the middle of its face to each point
     inverse    (J, 3, 3) 1/m4, of the second moments of area of the points; 0 where they are in one row
@@ -45,6 +53,7 @@ class Faces(NamedTuple):
     normal: np.ndarray
     group: np.ndarray
     stiffness: np.ndarray
+    softness: np.ndarray
     glued: np.ndarray
     arm: np.ndarray
     inverse: np.ndarray
@@ -75,6 +84,14 @@ class Look(NamedTuple):
     slid: np.ndarray
 
 
+class Shear(NamedTuple):
+    """How the faces are sheared in a frame: force (J, 3) N; twist (J,) N m and turn (J,) rad about the normals."""
+
+    force: np.ndarray
+    twist: np.ndarray
+    turn: np.ndarray
+
+
 def faces_of(assembly: Assembly) -> Faces:
     """The joint faces of a specimen."""
     joints, model = assembly.joints, assembly.model
@@ -86,7 +103,10 @@ def faces_of(assembly: Assembly) -> Faces:
     arm = joints.point - middle[of]
     second = np.add.reduceat(np.einsum("c,ca,cb->cab", joints.area, arm, arm)[order], start[:-1])
     group, properties = model.group[order[start[:-1]]], model.groups.properties
-    stiffness = np.array([np.mean(joint.normal_stiffness) for joint in properties])[group]
+    stiffness, shear = (
+        np.array([np.mean(getattr(joint, name)) for joint in properties])[group]
+        for name in ("normal_stiffness", "shear_stiffness")
+    )
     glued = np.array([is_glued(joint) for joint in properties])[group]
     second *= (np.trace(second, axis1=1, axis2=2) > FLAT * area**2)[:, None, None]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
@@ -95,7 +115,11 @@ def faces_of(assembly: Assembly) -> Faces:
     for joint, first, end in zip(properties, bounds[:-1], bounds[1:], strict=True):
         if is_glued(joint):
             tears_at[first:end] = np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness)
-    return Faces(patch, of, order, start, area, middle, normal, group, stiffness, glued, arm, inverse, tears_at)
+    lacks = lacking_flexibility(joints)
+    softness = Lacks(lacks.bending[patch], lacks.twist[patch]).over(stiffness, shear)
+    return Faces(
+        patch, of, order, start, area, middle, normal, group, stiffness, softness, glued, arm, inverse, tears_at
+    )
 
 
 def is_glued(joint: JointProperties) -> bool:
@@ -128,6 +152,24 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
     )
 
 
+def shear_of(assembly: Assembly, faces: Faces, frame: Frame) -> Shear:
+    """How joint faces are sheared in a frame: the shear stress of each contact acts along its slip."""
+    joints = assembly.joints
+    field, every = Deformation(BlockCorners(assembly.specimen.blocks), frame), np.arange(len(joints.area))
+    a, b = field.sides(joints, every, joints.point)
+    back = np.linalg.inv(np.eye(3) + field.gradient)
+    slip = np.einsum("cij,cj->ci", back[joints.block_a], b - a)
+    slip -= np.einsum("ci,ci->c", slip, joints.normal)[:, None] * joints.normal
+    length = np.linalg.norm(slip, axis=1)[:, None]
+    along = np.divide(slip, length, out=np.zeros_like(slip), where=length > 0.0)
+    force = (joints.area * frame.shear_stress)[:, None] * along
+    twist = np.einsum("ci,ci->c", joints.normal, np.cross(faces.arm, force))
+    first = faces.order[faces.start[:-1]]
+    spin = back[joints.block_a[first]] @ (np.eye(3) + field.gradient[joints.block_b[first]])
+    axial = 0.5 * np.stack([spin[:, j, i] - spin[:, i, j] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1)
+    return Shear(faces.sums(force), faces.sums(twist), np.einsum("fi,fi->f", axial, faces.normal))
+
+
 def _work(moment: np.ndarray, turn: np.ndarray) -> np.ndarray:
     return np.maximum(np.einsum("ja,ja->j", moment, turn), 0.0)
 
@@ -147,3 +189,37 @@ def _of(fields: Any, contact: int) -> Any:
 def corners_of(joints: Joints, patch: int) -> np.ndarray:
     """(K, 3) m of the polygon of a joint face."""
     return joints.patch_points[joints.patch_start[patch] : joints.patch_start[patch + 1]]
+
+
+def own_points(assembly: Assembly, faces: Faces, face: int) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) m and areas (n,) m2 at which a face bears: its contact points, or those of the patch in their place
+    that has not moved."""
+    joints, scene, contacts = assembly.joints, assembly.scene, faces.contacts(face)
+    meshed = (joints.node_a[contacts] >= 0).any() or (joints.node_b[contacts] >= 0).any()
+    if not scene.is_large or faces.glued[face] or meshed:
+        return joints.point[contacts], joints.area[contacts]
+    corners = corners_of(joints, faces.patch[face])
+    point, area = contact_points(corners[None], np.array([len(corners)]), Density("vertex", 2))[1:]
+    return _of_patch(point, area, faces.middle[face], faces.normal[face], _rounds(assembly))
+
+
+def _rounds(assembly: Assembly) -> np.ndarray:
+    """(m, 2) of `rounds_of` for the patches of a scene."""
+    if assembly.scene.specimen.patch_points == "spread":
+        return np.array([[1.0, AT_CORNERS], [1.0, 1.0 - AT_CORNERS]])
+    return rounds_of(points_along(assembly.scene, assembly.model.state.crushed is not None))
+
+
+def _of_patch(
+    corner: np.ndarray, area: np.ndarray, middle: np.ndarray, normal: np.ndarray, rounds: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Points and areas as `detection/spread.py` puts them from corners (K, 3) m with areas (K,) m2."""
+    arm = corner - middle
+    polar = float(np.trace(of_polygons(corner[None], normal[None], middle[None])[0]))
+    share = polar / float(area @ (arm**2).sum(axis=1))
+    place, weight = rounds.T
+    inside = float(weight[1:] @ place[1:] ** 2)
+    if inside > 0.0:
+        place = np.append(1.0, place[1:] * min(np.sqrt(max(share - weight[0], 0.0) / inside), 1.0 / place[1]))
+    point = middle + place[:, None, None] * arm
+    return point.reshape(-1, 3), np.outer(weight, area).ravel()

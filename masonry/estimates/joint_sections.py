@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from masonry.laws.compression_cap import strength_left
 from masonry.laws.law_dispatch import tension_intact
 from masonry.laws.state import JointProperties
 
@@ -25,6 +26,9 @@ LEFT, PRESSED = 0.01, 0.1
 bears no more."""
 JUST = 1e-9
 """Of an opening: what is just before it."""
+OVER = 300.0
+"""Times the closing at which a section has its strength: its edge has closed by as much when it bears next to all that
+it can."""
 PULLED = 1e-6
 """Of the tensile strength: a mean tension above which the line of action of a normal force stays where it is."""
 ALIKE = 1e-6
@@ -44,33 +48,50 @@ class Section(NamedTuple):
 
 
 class Envelope(NamedTuple):
-    """A law in tension: opening (E,) m, from 0 over the elastic limit on, and stress (E,) Pa; stiffness Pa/m."""
+    """A law under monotonic opening and closing: opening (E,) m, below 0 closing, and stress (E,) Pa; stiffness Pa/m.
+
+    limit    m, the opening at which it tears; 0 without tension
+    end      m, the opening at which next to nothing is left, or the last that is known
+    crushes  m, the closings at which it begins to crush and has its strength; infinite where it does not
+    """
 
     opening: np.ndarray
     stress: np.ndarray
     stiffness: float
-
-    @property
-    def limit(self) -> float:
-        """The opening (m) at which it tears."""
-        return float(self.opening[1])
-
-    @property
-    def end(self) -> float:
-        """The opening (m) at which next to nothing is left, or the last that is known."""
-        gone = np.flatnonzero(self.stress[2:] <= LEFT * self.stress[1])
-        return float(self.opening[2 + gone[0]] if len(gone) else self.opening[-1])
+    limit: float
+    end: float
+    crushes: tuple[float, float]
 
 
 def envelope(parameters: Any, joint: JointProperties, farthest: float) -> Envelope:
     """Of a law with numbers of one contact, up to an opening (m)."""
-    strong = float(joint.tensile_strength or 0.0)
-    limit = strong / joint.normal_stiffness
-    beyond = limit + np.geomspace(1e-6 * limit, max(farthest, 2.0 * limit), CURVE)
-    with np.errstate(all="ignore"):
-        left = np.array([float(tension_intact(parameters, joint, e)) for e in beyond])
-    stress = strong * np.concatenate([[0.0, 1.0], left])
-    return Envelope(np.concatenate([[0.0, limit], beyond]), stress, float(joint.normal_stiffness))
+    strong, stiffness = float(joint.tensile_strength or 0.0), float(joint.normal_stiffness)
+    limit = strong / stiffness
+    opening, stress, end = np.zeros(1), np.zeros(1), 0.0
+    if strong > 0.0:
+        beyond = limit + np.geomspace(1e-6 * limit, max(farthest, 2.0 * limit), CURVE)
+        with np.errstate(all="ignore"):
+            left = np.array([float(tension_intact(parameters, joint, e)) for e in beyond])
+        opening, stress = np.concatenate([[0.0, limit], beyond]), strong * np.concatenate([[0.0, 1.0], left])
+        gone = np.flatnonzero(left <= LEFT)
+        end = float(beyond[gone[0]] if len(gone) else beyond[-1])
+    if joint.compressive_strength is None:
+        return Envelope(opening, stress, stiffness, limit, end, (np.inf, np.inf))
+    closing, pressure = _crushing(joint)
+    crushes = float(closing[0]), float(closing[np.argmax(pressure)])
+    closes, presses = -closing[::-1], -pressure[::-1]
+    return Envelope(
+        np.concatenate([closes, opening]), np.concatenate([presses, stress]), stiffness, limit, end, crushes
+    )
+
+
+def _crushing(joint: JointProperties) -> tuple[np.ndarray, np.ndarray]:
+    """Closing (E,) m and pressure (E,) Pa of a law that crushes, from where it begins on."""
+    strong, stiffness = float(joint.compressive_strength or 0.0), float(joint.normal_stiffness)
+    path = max(strong / stiffness, float(joint.closing_at_peak or 0.0))
+    plastic = np.concatenate([[0.0], np.geomspace(1e-3, 1e3, CURVE) * path])
+    pressure = np.array([float(strength_left(joint, h)) for h in plastic])
+    return plastic + pressure / stiffness, pressure
 
 
 def spread(corners: np.ndarray, along: np.ndarray, across: np.ndarray, middle: np.ndarray) -> Section:
@@ -109,19 +130,28 @@ def plane(section: Section, law: Envelope, opening: float, turn: float) -> float
 
 
 def _stress(law: Envelope, opening: np.ndarray) -> np.ndarray:
-    return np.where(opening < 0.0, law.stiffness * opening, np.interp(opening, law.opening, law.stress))
+    stress = np.interp(opening, law.opening, law.stress)
+    return np.where(opening < 0.0, law.stiffness * opening, stress) if np.isinf(law.crushes[0]) else stress
 
 
 def strength(section: Section, law: Envelope, force: float, moment: float, farthest: float) -> float:
     """N m: the largest moment that a section bears, up to a turn (rad), while it carries a normal force (N).
 
-    A pressure stays as it is while the moment grows. A tension grows with the moment, on the same line of action.
+    A pressure stays as it is while the moment grows. A tension grows with the moment, on the same line of action. What
+    crushes is turned as far as it takes, and what has no tension and does not crush turns about its edge.
     """
     area = float(section.area.sum())
-    first = ELASTIC * law.limit / section.depth
-    useless = max(2.0 * law.end, -2.0 * force / (PRESSED**2 * law.stiffness * area)) / section.depth
-    last = max(min(farthest, useless), 2.0 * first / ELASTIC)
-    pulled = force > PULLED * law.stress[1] * area and moment > 0.0
+    presses = max(-force, 0.0) / (law.stiffness * area)
+    if law.limit == 0.0 and (presses == 0.0 or np.isinf(law.crushes[1])):
+        return force * float(section.place.min())
+    first = ELASTIC * (law.limit or presses) / section.depth
+    last = max(farthest, 2.0 * first / ELASTIC)
+    if law.limit > 0.0:
+        useless = max(2.0 * law.end, 2.0 * presses / PRESSED**2) / section.depth
+        last = max(min(farthest, useless), 2.0 * first / ELASTIC)
+    if np.isfinite(law.crushes[1]):
+        last = max(last, OVER * law.crushes[1] / section.depth)
+    pulled = force > PULLED * law.limit * law.stiffness * area and moment > 0.0
     arm = moment / force if pulled else 0.0
     fibres = len(section.place)
     turns = np.geomspace(first, last, max(TURNS // fibres, FEWEST))
@@ -138,11 +168,16 @@ def _borne(section: Section, law: Envelope, force: float, arm: float, turns: np.
     pulled = arm > 0.0
     closed = min(force, 0.0) / (law.stiffness * float(section.area.sum()))
     low, high = np.full(len(turns), closed - 1e-6 * law.limit), law.limit - turns * section.place.min()
+    if np.isfinite(law.crushes[0]):
+        low = np.minimum(low, -law.crushes[1]) - turns * section.place.max()
     if pulled:
         low -= turns * np.abs(section.place).max()
     even = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, PLACES)
     before = law.limit * (1.0 - JUST) - turns[:, None] * section.place  # just before each fibre tears
-    e0 = np.sort(np.concatenate([even, before], axis=1), axis=1)
+    kinks = [even, before]
+    if np.isfinite(law.crushes[0]):
+        kinks += [-closing - turns[:, None] * section.place for closing in sorted(set(law.crushes))]
+    e0 = np.sort(np.concatenate(kinks, axis=1), axis=1)
     e = e0[:, :, None] + turns[:, None, None] * section.place
     stress = _stress(law, e)
     normal, bending = stress @ section.area, stress @ (section.area * section.place)

@@ -1,0 +1,1 @@
+"""What contact points, sections and joints lack: numbers, which remarks set against their limits."""

@@ -1,0 +1,21 @@
+"""How much stiffer closed joints bend and twist by their contact points than by stresses spread over their areas."""
+
+import numpy as np
+
+from geometry.blocks import Joints
+from geometry.joints.second_moments import Lacks, moments
+
+
+def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.ndarray) -> float:
+    """J, twice: what moments would do besides at the turns that contact points keep joints from.
+
+    stiffness  (C, 2) N/m of the contacts, along and across their normals      force  (C, 3) N
+    """
+    if not len(force):
+        return 0.0
+    pull = np.einsum("ci,ci->c", joints.normal, force)
+    moment = moments(joints, pull, force - pull[:, None] * joints.normal)
+    count = len(joints.patch_start) - 1
+    area = np.bincount(joints.patch, joints.area, count)
+    normal, shear = (np.bincount(joints.patch, values, count) / area for values in stiffness.T)
+    return max(float(np.einsum("ja,jab,jb->j", moment, lacks.over(normal, shear), moment).sum()), 0.0)

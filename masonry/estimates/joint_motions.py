@@ -1,0 +1,116 @@
+"""What a joint bears at the peak, by its own contact points and by many: bent, sheared and twisted.
+
+A joint moves in six ways. Its contact points have its area and its middle, so that all bear a normal force and a shear
+force in the middle alike. They differ in bending about two axes, under the normal force of the joint
+(`joint_sections.py`), and in a twist with its shears, under the pressures of the joint (`joint_planes.py`).
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from geometry.joints.contact_points import contact_points
+from geometry.joints.point_density import Density
+from masonry.assembly.assemble import Assembly
+from masonry.estimates.joint_faces import Faces, Look, Shear, corners_of, law_of
+from masonry.estimates.joint_planes import PlanePoints, axes_across, borne_in_plane, shear_strengths, softening
+from masonry.estimates.joint_pressures import StressBounds, pressures
+from masonry.estimates.joint_sections import depth_of, envelope, of_points, spread, strength
+from masonry.laws.state import JointProperties
+from masonry.rows.history import Frame
+
+MANY = Density("gauss", 12)
+"""Points that stand for a stress spread over the area, in its plane: within 0.1 % of 40 along each edge."""
+FURTHER = 10.0
+"""Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
+TURNED = 1e-3
+"""Times the same opening: a joint that has never opened further at one edge than at the other does not bend."""
+SLID = 1e-3
+"""Share of the work of sliding that is not elastic, from which on a joint has slid."""
+
+
+class Borne(NamedTuple):
+    """A joint in one of the two ways: its contacts, whether in its plane, whether it gave way; its shares (2,) of the
+    work; what it carries at the peak over what it bears by many points; and what points (n, 3) m with areas (n,) m2
+    bear over that."""
+
+    contacts: np.ndarray
+    in_plane: bool
+    gave: bool
+    shares: np.ndarray
+    carries: float
+    by: Callable[[np.ndarray, np.ndarray], float]
+
+
+def bent(
+    assembly: Assembly, faces: Faces, now: Look, face: int, gave: bool, turn: float, shares: np.ndarray
+) -> Borne | None:
+    """A joint face that bends at the peak, up to its largest turn (rad); None where it never turned, or neither gave
+    way nor bears more than its elastic moment."""
+    length = float(np.linalg.norm(now.turn[face]))
+    force = float(now.force[face])
+    parameters, joint = law_of(assembly, faces, face)
+    limit = float(joint.tensile_strength or 0.0)
+    if length == 0.0 or _is_elastic(joint) or (limit == 0.0 and force >= 0.0):
+        return None
+    normal, middle = faces.normal[face], faces.middle[face]
+    along = now.turn[face] / length
+    corners, moment = corners_of(assembly.joints, faces.patch[face]), abs(float(now.moment[face] @ along))
+    depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
+    if turn * depth <= TURNED * tears_at or (not gave and moment < depth / 6.0 * (limit * faces.area[face] - force)):
+        return None
+    many = spread(corners, along, np.cross(normal, along), middle)
+    if limit == 0.0 and joint.compressive_strength is None:  # it turns about its very edge
+        many = of_points((corners - middle) @ along, np.ones(len(corners)))
+    if not gave:
+        turn = max(turn, FURTHER * tears_at / many.depth)
+    law = envelope(parameters, joint, 2.0 * turn * many.depth)
+    bears = strength(many, law, force, moment, turn)
+    if bears <= 0.0 or (not gave and moment <= bears):
+        return None
+
+    def by(point: np.ndarray, area: np.ndarray) -> float:
+        section = of_points((point - middle) @ along, area)
+        return strength(section, law, force, moment, turn) / bears
+
+    return Borne(faces.contacts(face), False, gave, shares, moment / bears, by)
+
+
+def slid(
+    assembly: Assembly, faces: Faces, now: Look, shear: Shear, frame: Frame, face: int, shares: np.ndarray
+) -> Borne | None:
+    """A joint face that is sheared at the peak; None where it has no limit, or bears what it carries by many points."""
+    joints, contacts = assembly.joints, faces.contacts(face)
+    parameters, joint = law_of(assembly, faces, face)
+    if _is_elastic(joint) or joint.shear_stiffness <= 0.0:
+        return None
+    normal, middle = faces.normal[face], faces.middle[face]
+    axes = axes_across(normal)
+    force, twist = axes @ shear.force[face], float(shear.twist[face])
+    whole = 1.0 - float(np.average(frame.damage_tension[contacts], weights=joints.area[contacts]))
+    left = joint._replace(cohesion=float(joint.cohesion or 0.0) * whole)
+    bounds = StressBounds(
+        float(joint.normal_stiffness),
+        float(joint.tensile_strength or 0.0) * whole,
+        float(joint.compressive_strength or np.inf),
+    )
+    pressed = max(-float(now.force[face]) / float(faces.area[face]), 0.0)
+    farthest = float(frame.slip[contacts].max())
+    law = softening(parameters, left, pressed, 2.0 * farthest)
+
+    def bears(point: np.ndarray, area: np.ndarray) -> float:
+        place = (point - middle) @ axes.T
+        on = pressures(place, area, bounds, float(now.force[face]), axes @ now.moment[face])
+        return borne_in_plane(PlanePoints(place, area, *shear_strengths(left, on)), law, force, twist, farthest)
+
+    corners = corners_of(joints, faces.patch[face])
+    many = bears(*contact_points(corners[None], np.array([len(corners)]), MANY)[1:])
+    gave = bool(now.slid[face] > SLID * now.slides[face])
+    if not 0.0 < many < np.inf or (not gave and many >= 1.0):
+        return None
+    return Borne(contacts, True, gave, shares, 1.0 / many, lambda point, area: bears(point, area) / many)
+
+
+def _is_elastic(joint: JointProperties) -> bool:
+    return joint.tensile_strength is None and joint.tan_friction is None
