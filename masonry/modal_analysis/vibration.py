@@ -125,7 +125,7 @@ def _loose_blocks(oscillator: Oscillator, blocks: Blocks, modes: Modes) -> np.nd
     return np.flatnonzero(farthest > MOVES)
 
 
-def _too_high(oscillator: Oscillator, shapes: np.ndarray, closed: np.ndarray) -> np.ndarray:
+def frequencies_too_high(oscillator: Oscillator, shapes: np.ndarray, closed: np.ndarray) -> np.ndarray:
     """(m,) by what share the frequency of each mode (m, n) is too high, as closed joints turn too stiffly by their
     contact points, by Rayleigh's quotient."""
     joints, stretches = oscillator.joints, oscillator.closed(closed)
@@ -152,7 +152,7 @@ def _say(
     if not len(result.frequencies):
         result.remarks.append("no joint and no block is strained by what can move: there is no frequency")
     result.remarks.extend(mesh_words(oscillator, modes))
-    high = _too_high(oscillator, modes.shape, result.closed)
+    high = frequencies_too_high(oscillator, modes.shape, result.closed)
     if high.max(initial=0.0) > TOO_HIGH:
         worst = int(np.argmax(high))
         result.remarks.append(
