@@ -17,6 +17,8 @@ PER_DECADE, BEYOND, ROUNDS = 1.5, 0.7, 6
 ones are."""
 FLAT_WITHIN = 0.04
 """Of the ratio, all over the band; where so many branches leave more, there is one more."""
+DEAR = 2.0
+"""From how many times shorter steps on the price of dashpots is told."""
 
 Damping = float | Guided | Dragged | None
 
@@ -177,3 +179,13 @@ def damping_words(damping: Damping) -> str:
     if isinstance(damping, Guided):
         return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
     return f"local damping {damping:g}" if damping else "no damping"
+
+
+def price_of_dashpots(shorter: float) -> str:
+    """What `masonry check` says where dashpots in proportion to stiffness make the steps so many times shorter."""
+    if shorter < DEAR:
+        return ""
+    return (
+        f"; dashpots in proportion to stiffness make it {shorter:.3g} times shorter, which damping.maxwell, in place of"
+        " damping.stiffness or damping.rayleigh, hardly does"
+    )

@@ -26,7 +26,15 @@ from masonry.model.body_arrays import (
     rows_of_sides,
 )
 from masonry.model.contact_groups import contact_groups
-from masonry.model.damping import Damping, Phases, Swing, damping_in_steps, expects_motion, local_damping
+from masonry.model.damping import (
+    Damping,
+    Phases,
+    Swing,
+    damping_in_steps,
+    expects_motion,
+    local_damping,
+    price_of_dashpots,
+)
 from masonry.model.kinds import dof_words
 from masonry.model.large.forces_at_points import point_loads_of
 from masonry.model.large.meeting import (
@@ -372,15 +380,18 @@ def _stepping(
         free = {kind: np.ones_like(each) for kind, each in free.items()}
     if stepping.masses == "real":
         bound, kind, row, i = stable_step.stable_step(sums, real, free, xi)
+        price = ""
         if swing is not None:
             swung = stable_step.stable_step(phases.swinging or sums, real, free, swing.local)
+            if swing.stiffness_time and swung[0] < bound:
+                price = price_of_dashpots(stable_step.stable_step(sums, real, free, swing.local)[0] / swung[0])
             bound, kind, row, i = min(swung, (bound, kind, row, i))
         dt = fraction * bound
         if stepping.time_step == "equation-11":
             dt = stable_step.equation_11(layout, real, kn, fraction)
         elif not isinstance(stepping.time_step, str):
             dt = stepping.time_step
-        return real, dt, bound, dof_words(layout, kind, row, i) if kind else "nothing: nothing can move"
+        return real, dt, bound, f"{dof_words(layout, kind, row, i)}{price}" if kind else "nothing: nothing can move"
     dt = stable_step.step_that_keeps_the_mass(sums, real, free, fraction, xi)
     if not isinstance(stepping.time_step, str):
         dt = stepping.time_step

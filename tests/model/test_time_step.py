@@ -16,6 +16,7 @@ from masonry.model.model import Stepping
 from masonry.model.stable_step import tet_row_sums
 from tests.model.eigen import frequencies, true_limit
 from verification.fixtures import models, shapes
+from verification.fixtures.scene_text import assembled
 from verification.scene_runs import result_of
 
 LEAST_RATIO = {"scaled": 0.4, "real": 0.04}
@@ -165,3 +166,70 @@ def test_what_is_held_and_led_throughout_has_a_step_by_which_its_strength_is_fou
     result = result_of("couplet", scene | pulled)
     assert result.summary["peak_stress_pa"] == pytest.approx(0.58e6, rel=1e-2)
     assert result.summary["steps"] > 100
+
+
+FRAME = """law = "elastic"
+kinematics = "rigid"
+displacements = "{displacements}"
+[specimen]
+kind = "boxes"
+section = "0.12 m^2"
+box = [
+    {{name = "left", origin = ["0 m", "0 m", "0 m"], size = ["0.4 m", "0.3 m", "0.5 m"]}},
+    {{name = "right", origin = ["0.75 m", "0.05 m", "0 m"], size = ["0.35 m", "0.25 m", "0.5 m"]}},
+    {{name = "top", origin = ["0.1 m", "0 m", "0.5 m"], size = ["0.9 m", "0.3 m", "0.4 m"]}},
+]
+[material.units]
+density = "2000 kg/m^3"
+[contact.within_units]
+normal_stiffness = "10 GPa/m"
+shear_stiffness = "4 GPa/m"
+[gravity]
+z = "-9.81 m/s^2"
+[[support]]
+on = "left"
+fix = "all"
+[[support]]
+on = "right"
+fix = ["x", "y", "z"]
+[solver]
+masses = "real"
+damping = 0
+duration = "1 s"
+[damping]
+{damping}
+"""
+"""Two posts of unlike size, and a lintel that reaches beyond one of them."""
+
+
+def damped(displacements: str, damping: str):
+    return assembled(FRAME.format(displacements=displacements, damping=damping)).model
+
+
+@pytest.mark.parametrize("displacements", ["small", "large"])
+@pytest.mark.parametrize(
+    "damping", ['stiffness = {ratio = "5 %", at = "4 Hz"}', 'rayleigh = {ratio = "3 %", between = ["2 Hz", "9 Hz"]}']
+)
+def test_the_price_of_dashpots_is_told_and_the_damping_that_is_advised_does_not_ask_it(displacements, damping):
+    bare, dear = damped(displacements, ""), damped(displacements, damping)
+    told = float(dear.limited_by.split("make it ")[1].split(" times shorter")[0])
+    assert told == pytest.approx(bare.bound / dear.bound, rel=0.005)
+    omega, time = 2.0 / bare.bound, float(swing_time(damping))
+    z = 0.5 * time * omega
+    assert told == pytest.approx(1.0 / (np.sqrt(1.0 + z**2) - z), rel=0.005)
+    assert "damping.maxwell" in dear.limited_by
+    mild = damped(displacements, 'maxwell = {ratio = "5 %", between = ["2 Hz", "20 Hz"]}')
+    assert 1.0 < bare.bound / mild.bound < 1.2
+    assert "dashpots" not in bare.limited_by + mild.limited_by
+
+
+def swing_time(damping: str) -> float:
+    """a1 (s) of what the test asks for, by hand."""
+    return 0.05 / (np.pi * 4.0) if damping.startswith("stiffness") else 0.03 / (np.pi * (2.0 + 9.0))
+
+
+@pytest.mark.parametrize(("share", "is_told"), [(0.99, False), (1.01, True)])
+def test_a_price_below_twice_the_steps_is_not_told(share, is_told):
+    z = 0.5 * (2.0 * share - 0.5 / share)  # of 2 share = 1 / (sqrt(1 + z^2) - z)
+    time = z * damped("small", "").bound
+    assert ("times shorter" in damped("small", f'stiffness = "{time!r} s"').limited_by) == is_told
