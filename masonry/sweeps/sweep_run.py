@@ -160,15 +160,18 @@ def _require_buildable(name: str, planned: Sequence[Planned], workers: int, fold
 
 def planned_of(sweep: Sweep) -> "tuple[FragilityRequest | None, list[Planned]]":
     """What [fragility] asks for, None where there is no such table, and every run. Raises SceneError: also where a run
-    has no such intensity."""
+    has no such intensity, or no run can have such a measure."""
     if FRAGILITY not in sweep.raw:
         return None, plan(sweep)
     from masonry.sweeps.fragility.intensity import intensities
+    from masonry.sweeps.fragility.measured_number import require_measure
     from masonry.sweeps.fragility.request import read_request
 
     varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
     request, planned = read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied), plan(sweep)
     intensities(request, planned)
+    if request.measure is not None:
+        require_measure(request.measure, planned)
     return request, planned
 
 

@@ -139,6 +139,10 @@ def test_wrong_tables_are_one_message(table, words):
         read_request(table, "sweep.toml: fragility", [SEED, SCALE])
 
 
+OF_STRESS = 'intensity = "confinement"\n'
+TOP = '[[gauge]]\nname = "top"\nat = "units"\ndirection = "x"\n'
+
+
 @pytest.mark.parametrize(
     ("asks", "words"),
     [
@@ -146,13 +150,23 @@ def test_wrong_tables_are_one_message(table, words):
         ('intensity = "confinemnt"', "did you mean 'confinement'"),
         ('intensity = "peak_velocity"', "fragility: peak_velocity: the scene has no .ground."),
         ('intensity = "law"', "fragility: law: .*number"),
+        (f'{OF_STRESS}measure = "peak_stres"', "no run has 'peak_stres'; .*did you mean 'peak_stress_pa'"),
+        (f'{OF_STRESS}measure = "gauges.tpo.final_m"', "gauges.tpo.final_m'; .*did you mean 'gauges.top.final_m'"),
+        (f'{OF_STRESS}measure = "shaking.gauges.top.peak_drft"', "did you mean 'shaking.gauges.top.peak_drift'"),
+        (f'{OF_STRESS}measure = "shaking.gauges.top.quantity"', "a measure is a number of summary.json"),
+        (f'{OF_STRESS}measure = "energy_j.frction"', "did you mean 'energy_j.friction'"),
+        (f'{OF_STRESS}measure = "top"', "did you mean 'shaking.gauges.top.peak'"),
+        (f'{OF_STRESS}measure = "gauges.top"', "no run has 'gauges.top'"),
+        (f'{OF_STRESS}measure = "law"', "no run has 'law'"),
+        (f'{OF_STRESS}measure = "peak_stress_pa.top"', "did you mean 'peak_stress_pa'"),
     ],
 )
 @pytest.mark.parametrize("more", [["--list"], ["--out", "made"]])
 def test_what_fragility_asks_for_is_looked_at_before_anything_runs(tmp_path, monkeypatch, capsys, asks, words, more):
     monkeypatch.chdir(tmp_path)
     grid = '[grid]\nconfinement = ["0.1 MPa", "0.2 MPa"]\nlaw = ["brittle", "linear"]\n'
-    Path("sweep.toml").write_text(text(f"{grid}[fragility]\n{asks}\n"))
+    Path("couplet-with-gauge.toml").write_text(f'base = "couplet"\n{TOP}')
+    Path("sweep.toml").write_text(text(f"{grid}[fragility]\n{asks}\n", scene="couplet-with-gauge.toml"))
     assert main(["sweep", "sweep.toml", *more]) == 2
     assert re.search(words, capsys.readouterr().err) and not Path("made").exists()
 
