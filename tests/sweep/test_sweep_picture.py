@@ -29,7 +29,7 @@ def test_few_combinations_of_two_keys_have_a_colour_and_a_name_each(tmp_path, mo
         (folder / "curve.csv").write_text("displacement [m],stress [Pa]\n0,0\n1,1\n")
     drawn: list[Figure] = []
     monkeypatch.setattr(sweep_picture, "write_picture", lambda figure, path: drawn.append(figure))
-    monkeypatch.setattr(sweep_picture, "WholeFiles", Quiet)
+    monkeypatch.setattr(sweep_picture, "ResultFiles", Quiet)
     assert sweep_picture.draw(tmp_path, "two keys", runs, rows, "png") == "sweep.png"
     axes = drawn[0].axes[0]
     assert len({tuple(line.get_color()) for line in axes.lines}) == 6
