@@ -39,14 +39,20 @@ def cache_root() -> Path:
         raise OSError(f"{error}") from None
 
 
+def made_root() -> Path:
+    """The folder of `cache_root`, which is there now. Raises OSError where it is not the user's own, or cannot be."""
+    root = cache_root()
+    root.mkdir(mode=FOR_ONE, parents=True, exist_ok=True)
+    require_own(root)
+    return root
+
+
 def cache_folders() -> tuple[Path, Path]:
     """Where the step of these sources is kept, and where the rest is, made and freed of what is old. Raises OSError
     where nothing can be kept."""
     mode = "-plain" if os.environ.get("MASONRY_LANES") == "0" else ""
-    root = cache_root()
+    root = made_root()
     folder, rest = root / f"{source_hash(COMPILED)}{mode}", root / OTHERS
-    root.mkdir(mode=FOR_ONE, parents=True, exist_ok=True)
-    require_own(root)
     for path in (folder, rest):
         _make(path)
     os.utime(folder)

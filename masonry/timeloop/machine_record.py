@@ -4,7 +4,7 @@ import contextlib
 import json
 
 from geometry.files.atomic import WholeFiles
-from masonry.jit.cache_folder import MARKER, OURS, cache_root, require_own
+from masonry.jit.cache_folder import MARKER, OURS, cache_root, made_root, require_own
 from masonry.runtime.processors import compiled_for
 
 FOLDER = "machine"
@@ -25,7 +25,6 @@ def write_record(name: str, numbers: dict[str, float]) -> None:
     """Keep a table; nothing where it cannot be written."""
     record = {"processor": compiled_for(), "numbers": numbers}
     with contextlib.suppress(OSError):
-        require_own(cache_root())
-        with WholeFiles(cache_root() / FOLDER) as files:
-            (cache_root() / FOLDER / MARKER).write_bytes(OURS)
+        with WholeFiles(folder := made_root() / FOLDER) as files:
+            (folder / MARKER).write_bytes(OURS)
             files.text(f"{name}.json", json.dumps(record, indent=1))

@@ -94,13 +94,14 @@ def test_a_failure_in_the_middle_leaves_no_file_and_no_rest(tmp_path, monkeypatc
 
 
 def test_a_picture_that_fails_costs_neither_the_numbers_nor_the_old_picture(tmp_path, monkeypatch):
-    (tmp_path / "cracks.png").write_text("old")
+    sample().save(tmp_path)
+    old = (tmp_path / "cracks.png").read_bytes()
     monkeypatch.setattr(picture, "cracks_figure", lambda result: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         sample().save(tmp_path)
-    assert (tmp_path / "cracks.png").read_text() == "old"
+    assert (tmp_path / "cracks.png").read_bytes() == old
     assert load_result(tmp_path).summary["steps"] == 1000
-    assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == [".masonry-files.json"]
 
 
 def test_rows_and_frames_from_the_first_that_is_not_finite_are_dropped_and_logged(tmp_path):
@@ -165,9 +166,9 @@ def test_a_named_folder_is_refused_when_it_holds_something_unless_overwriting(tm
         claim("s", tmp_path / "new")
     assert claim("s", tmp_path / "new", overwrite=True) == tmp_path / "new"
     (tmp_path / "new" / "curve.csv").touch()
-    with pytest.raises(SceneError, match="holds no results of masonry, but 'curve.csv'"):
+    with pytest.raises(SceneError, match="curve.csv' was not written by masonry"):
         claim("s", tmp_path / "new", overwrite=True)
-    (tmp_path / "new" / "summary.json").touch()
+    (tmp_path / "new" / "curve.csv").unlink()
     assert claim("s", tmp_path / "new", overwrite=True) == tmp_path / "new"
     with pytest.raises(SceneError, match="is a file"):
         claim("s", tmp_path / "new" / "thesis.tex", overwrite=True)

@@ -123,8 +123,11 @@ def test_bars_pull_their_ends_together_and_yield_by_what_they_bear():
     bars = SimpleNamespace(
         count=2, block=np.array([[0, 1], [1, -1]]), point=point, axis=axis,
         least=np.array([-2.0, 0.0]), most=np.array([5.0, 3.0]),
+        stiffness=np.array([30.0, 70.0]), pretension=np.array([0.5, 0.0]),
     )  # fmt: skip
-    both = with_bars(contacts, bars, bodies)  # type: ignore[arg-type]
+    both = with_bars(contacts, bars, bodies, 200.0)  # type: ignore[arg-type]
+    assert both.area[4:] == pytest.approx([0.15, 0.35]), "of joints as stiff as the bars"
+    assert both.pretension is not None and both.pretension.tolist() == [0.0] * 4 + [0.5, 0.0]
     assert both.is_bar.tolist() == [False] * 4 + [True, True] and both.block_b[4:].tolist() == [1, 0]
     assert both.normal[4:] == pytest.approx(-axis), "a force above 0 on the second end goes towards the first one"
     assert both.tension[4:].tolist() == [2.0, 0.0] and both.most is not None and both.most[4:].tolist() == [5.0, 3.0]
