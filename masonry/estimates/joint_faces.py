@@ -23,6 +23,9 @@ its area: where all are smaller, its points are at one place."""
 MOST = 50
 """Joint faces that are looked at closely, those that matter most."""
 
+SPREAD = np.array([[1.0, AT_CORNERS], [1.0, 1.0 - AT_CORNERS]])
+"""Rounds of patches with points inside, of which the second lies as far inwards as their polar moment asks."""
+
 
 class Faces(NamedTuple):
     """The J joint faces with contact points.
@@ -153,7 +156,8 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
 
 
 def shear_of(assembly: Assembly, faces: Faces, frame: Frame) -> Shear:
-    """How joint faces are sheared in a frame: the shear stress of each contact acts along its slip."""
+    """How joint faces are sheared in a frame: the shear stress of each contact acts along its slip, if no patches are in
+    its place."""
     joints = assembly.joints
     field, every = Deformation(BlockCorners(assembly.specimen.blocks), frame), np.arange(len(joints.area))
     a, b = field.sides(joints, every, joints.point)
@@ -162,7 +166,7 @@ def shear_of(assembly: Assembly, faces: Faces, frame: Frame) -> Shear:
     slip -= np.einsum("ci,ci->c", slip, joints.normal)[:, None] * joints.normal
     length = np.linalg.norm(slip, axis=1)[:, None]
     along = np.divide(slip, length, out=np.zeros_like(slip), where=length > 0.0)
-    force = (joints.area * frame.shear_stress)[:, None] * along
+    force = (joints.area * frame.shear_stress)[:, None] * along if frame.shear is None else frame.shear
     twist = np.einsum("ci,ci->c", joints.normal, np.cross(faces.arm, force))
     first = faces.order[faces.start[:-1]]
     spin = back[joints.block_a[first]] @ (np.eye(3) + field.gradient[joints.block_b[first]])
@@ -175,10 +179,20 @@ def _work(moment: np.ndarray, turn: np.ndarray) -> np.ndarray:
 
 
 def law_of(assembly: Assembly, faces: Faces, face: int) -> tuple[Any, JointProperties]:
-    """Parameters and properties of a face: those of one of its contacts, where they scatter."""
+    """Parameters and properties of a face: those of one of its contacts, where they scatter; of patches in its place
+    what blocks do that meet."""
     groups, group = assembly.model.groups, faces.group[face]
+    if are_patches(assembly, faces, face):
+        assert assembly.pairs is not None
+        return assembly.pairs.laws[assembly.model.group_names[group]]
     contact = faces.contacts(face)[0] - groups.bounds[group]
     return _of(groups[0][group], contact), _of(groups[1][group], contact)
+
+
+def are_patches(assembly: Assembly, faces: Faces, face: int) -> bool:
+    """Whether patches bear in the place of a face that never had a bond."""
+    unbound = assembly.pairs is not None and not faces.glued[face]
+    return unbound and not assembly.model.alive[faces.contacts(face)].any()
 
 
 def _of(fields: Any, contact: int) -> Any:
@@ -194,28 +208,34 @@ def corners_of(joints: Joints, patch: int) -> np.ndarray:
 def own_points(assembly: Assembly, faces: Faces, face: int) -> tuple[np.ndarray, np.ndarray]:
     """Places (n, 3) m and areas (n,) m2 at which a face bears: its contact points, or those of the patch in their place
     that has not moved."""
-    joints, scene, contacts = assembly.joints, assembly.scene, faces.contacts(face)
+    joints, contacts = assembly.joints, faces.contacts(face)
     meshed = (joints.node_a[contacts] >= 0).any() or (joints.node_b[contacts] >= 0).any()
-    if not scene.is_large or faces.glued[face] or meshed:
+    if meshed or not are_patches(assembly, faces, face):
         return joints.point[contacts], joints.area[contacts]
-    corners = corners_of(joints, faces.patch[face])
+    return patch_points(assembly, faces, face, _rounds(assembly))
+
+
+def patch_points(assembly: Assembly, faces: Faces, face: int, rounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) m and areas (n,) m2 of the patch of a face that has not moved, in rounds (m, 2)."""
+    corners = corners_of(assembly.joints, faces.patch[face])
     point, area = contact_points(corners[None], np.array([len(corners)]), Density("vertex", 2))[1:]
-    return _of_patch(point, area, faces.middle[face], faces.normal[face], _rounds(assembly))
+    polar = float(np.trace(of_polygons(corners[None], faces.normal[face][None], faces.middle[face][None])[0]))
+    return _of_patch(point, area, faces.middle[face], polar, rounds)
 
 
 def _rounds(assembly: Assembly) -> np.ndarray:
     """(m, 2) of `rounds_of` for the patches of a scene."""
     if assembly.scene.specimen.patch_points == "spread":
-        return np.array([[1.0, AT_CORNERS], [1.0, 1.0 - AT_CORNERS]])
+        return SPREAD
     return rounds_of(points_along(assembly.scene, assembly.model.state.crushed is not None))
 
 
 def _of_patch(
-    corner: np.ndarray, area: np.ndarray, middle: np.ndarray, normal: np.ndarray, rounds: np.ndarray
+    corner: np.ndarray, area: np.ndarray, middle: np.ndarray, polar: float, rounds: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Points and areas as `detection/spread.py` puts them from corners (K, 3) m with areas (K,) m2."""
+    """Points and areas as `detection/spread.py` puts them from corners (K, 3) m with areas (K,) m2, of a polygon with
+    this polar moment (m4)."""
     arm = corner - middle
-    polar = float(np.trace(of_polygons(corner[None], normal[None], middle[None])[0]))
     share = polar / float(area @ (arm**2).sum(axis=1))
     place, weight = rounds.T
     inside = float(weight[1:] @ place[1:] ** 2)

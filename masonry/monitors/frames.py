@@ -35,10 +35,11 @@ class Frames:
         stress, sigma, tau = view.stress.copy(), seen.sigma, seen.tau
         if model.bodies.rigid is not None:
             stress[model.layout.members["rigid"]] = self.contact_stress()
-        gone, joints = ~model.alive, model.joints
+        gone, joints, shear = ~model.alive, model.joints, None
         if gone.any():
             along = np.einsum("ci,ci->c", force, joints.normal)
-            across = np.linalg.norm(force - along[:, None] * joints.normal, axis=1)
+            shear = force - along[:, None] * joints.normal
+            across = np.linalg.norm(shear, axis=1)
             sigma, tau = np.where(gone, along / joints.area, sigma), np.where(gone, across / joints.area, tau)
         return Frame(
             step=step,
@@ -54,6 +55,7 @@ class Frames:
             damage_shear=1.0 - model.state.intact_s,
             stress=stress,
             crushing=self.configuration.crushed(),
+            shear=shear,
         )
 
     def corners(self) -> np.ndarray:

@@ -31,6 +31,8 @@ FRAME_UNITS = {
     "damage_shear": "1",
 }
 """Units of a frame's fields; the others are lengths in m."""
+NOT_WRITTEN = ("shear",)
+"""Fields of a frame that only the run itself looks at."""
 
 
 def write(path: Path, result: "ResultData") -> None:
@@ -143,7 +145,7 @@ def _read_arrays(group: Any, kind: type) -> Any:
 def _write_frames(group: Any, frames: list[Frame]) -> None:
     group.attrs["count"] = len(frames)
     for entry in fields(Frame) if frames else ():
-        if getattr(frames[0], entry.name) is None:
+        if getattr(frames[0], entry.name) is None or entry.name in NOT_WRITTEN:
             continue
         first = np.asarray(getattr(frames[0], entry.name))
         packing = _packing(first.size)
@@ -162,7 +164,8 @@ def _read_frames(group: Any) -> list[Frame]:
     count = int(group.attrs["count"])
     if not count:
         return []
-    names = [entry.name for entry in fields(Frame) if entry.name in group or entry.name != CRUSHING]
+    names = [entry.name for entry in fields(Frame) if entry.name not in NOT_WRITTEN]
+    names = [name for name in names if name in group or name != CRUSHING]
     whole = {name: group[name][()] for name in names}
     kinds = {"step": int, "time": float, "displacement": float}
     return [

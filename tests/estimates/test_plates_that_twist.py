@@ -84,6 +84,15 @@ def test_a_dry_plate_that_slides_and_twists_says_by_how_much_it_is_too_strong(po
     assert told(summary, "few_points") == pytest.approx(off, abs=0.005)
 
 
+@pytest.mark.parametrize(("patches", "off"), [("corners", 0.3207), ("spread", 0.0)])
+def test_patches_of_such_a_plate_say_by_how_much_it_turns_too_late(patches, off):
+    """Right is the load at which it turns away; it comes to rest behind that, where the force passes its middle."""
+    large = {"displacements": "large", "specimen.patch_points": patches, "limit.travel": "1 mm"}
+    summary = laboratory.run(dry_plate("").with_(large)).summary
+    assert summary["collapse_load"].borne == pytest.approx(46.06 * (1.0 + off), rel=0.01)
+    assert told(summary, "few_points") == pytest.approx(off, abs=0.005)
+
+
 @pytest.mark.parametrize("words", [{}, {"dilation": False}])
 def test_a_limit_analysis_of_joints_that_twist_says_by_how_much_less_it_may_fall(words):
     result = masonry.limit(dry_plate('contact_points = "vertex"'), **words)

@@ -10,7 +10,8 @@ import numpy as np
 
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
-from masonry.estimates.joint_faces import MOST, Look, corners_of, own_points
+from masonry.detection.spread import rounds_of
+from masonry.estimates.joint_faces import MOST, SPREAD, Look, are_patches, corners_of, own_points, patch_points
 from masonry.estimates.joint_motions import Borne, bent, slid
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
@@ -127,6 +128,8 @@ def _advice(inspection: Inspection, bears: list[tuple[int, Borne]], limit: float
     bears = sorted(bears, key=lambda pair: -float(pair[1].shares.max()))
     first, enough = [one for _, one in bears[:FIRST]], ROWS[-1]
     limit *= sum(one.shares.max() for one in first) / sum(one.shares.max() for _, one in bears)
+    if are_patches(assembly, inspection.faces, bears[0][0]):
+        return _of_patches(inspection, bears[:FIRST], limit)
     polygons = [corners_of(joints, inspection.faces.patch[face]) for face, _ in bears[:FIRST]]
     for rows in reversed(ROWS):
         density = Density(assembly.scene.contact_points, rows)
@@ -136,3 +139,17 @@ def _advice(inspection: Inspection, bears: list[tuple[int, Borne]], limit: float
             break
         enough = rows
     return f"take specimen.points_per_edge = {enough}{' or more' * (enough == ROWS[-1])}"
+
+
+def _of_patches(inspection: Inspection, bears: list[tuple[int, Borne]], limit: float) -> str:
+    """The simplest choice of patches that makes the estimate small enough."""
+    choices = {'patch_points = "spread"': SPREAD} | {
+        f"patch_points_per_edge = {along}": rounds_of(along) for along in ROWS if along % 2 == 0
+    }
+    patches = [(face, one) for face, one in bears if are_patches(inspection.assembly, inspection.faces, face)]
+    for words, rounds in choices.items():
+        points = [patch_points(inspection.assembly, inspection.faces, face, rounds) for face, _ in patches]
+        borne = np.array([one.by(*these) for (_, one), these in zip(patches, points, strict=True)])
+        if abs(_off([one for _, one in patches], borne) - 1.0) <= limit:
+            break
+    return f"take specimen.{words}"
