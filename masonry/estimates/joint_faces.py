@@ -156,7 +156,7 @@ def look_at(assembly: Assembly, faces: Faces, frame: Frame) -> Look:
 
 
 def shear_of(assembly: Assembly, faces: Faces, frame: Frame) -> Shear:
-    """How joint faces are sheared in a frame: the shear stress of each contact acts along its slip, if no patches are in
+    """How joint faces are sheared in a frame: the shear stress of each contact acts along its slip, if no patches take
     its place."""
     joints = assembly.joints
     field, every = Deformation(BlockCorners(assembly.specimen.blocks), frame), np.arange(len(joints.area))

@@ -20,8 +20,8 @@ class Frame:
     damage_tension, damage_shear (C,) 0 intact .. 1 broken;  damage = 1 - (1 - damage_tension)(1 - damage_shear)
     stress        (B, 6) Pa, mean stress of each block (xx yy zz yz xz xy); of rigid ones from their contacts
     crushing      (C,) m, plastic closing; None where crushing is not modelled
-    shear         (C, 3) N, across the normal on side a, as on the undeformed shape; None where no patches take the place
-                  of joints. It is not written
+    shear         (C, 3) N, across the normal on side a, as on the undeformed shape; None without patches. It is not
+                  written
     """
 
     step: int
