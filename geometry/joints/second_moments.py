@@ -1,4 +1,9 @@
-"""How stiffly a joint face bends and twists by its contact points, beside a stress that is spread over its area."""
+"""How stiffly a joint face bends and twists by its contact points, beside a stress that is spread over its area.
+
+A face that is not convex, such as an L or a ring, is cut into convex polygons: those between the same two blocks that
+lie in one plane. It bends and twists as a whole. It has the number of the first of its polygons; the rows of the others
+are 0.
+"""
 
 from typing import NamedTuple
 
@@ -13,6 +18,8 @@ FITS = 1e-6
 """Of the area of a polygon: contact points whose areas add up to another one do not stand for it."""
 SAME = 1e-9
 """Share of a polar moment: less is round-off."""
+SAME_DIRECTION, SAME_PLANE = 1e-5, 1e-6
+"""Normals that differ by less are one; places of a plane, over the size of all joints, too."""
 
 
 class Lacks(NamedTuple):
@@ -43,6 +50,8 @@ def lacking_flexibility(joints: Joints) -> Lacks:
     area, normal, centroid = areas_normals_centroids(corners)
     of_points, summed = _of_points(joints, len(area))
     of_area = of_polygons(corners, normal, centroid)
+    whole = first_patches(joints)
+    area, of_area = _joined(whole, area, centroid, of_area)
     fits = ((area > 0.0) & (np.abs(summed - area) <= FITS * area))[:, None, None]
     bending = _inverse(of_area) - _inverse(of_points)
     polar, about = np.trace(of_area, axis1=1, axis2=2), np.trace(of_points, axis1=1, axis2=2)
@@ -53,28 +62,44 @@ def lacking_flexibility(joints: Joints) -> Lacks:
     return Lacks(np.where(fits, bending, 0.0), np.where(fits, twist[:, None, None] * along, 0.0))
 
 
+def _joined(
+    whole: np.ndarray, area: np.ndarray, centroid: np.ndarray, second: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """(J,) m2 and (J, 3, 3) m4 of faces, from those of their polygons, each about its own centroid (J, 3) m."""
+    count = len(area)
+    if (whole == np.arange(count)).all():
+        return area, second
+    sums, together = np.zeros((count, 3)), np.zeros((count, 3, 3))
+    all_ = np.bincount(whole, area, count)
+    np.add.at(sums, whole, area[:, None] * centroid)
+    off = centroid - (sums / np.maximum(all_, 1e-300)[:, None])[whole]
+    np.add.at(together, whole, second + area[:, None, None] * off[:, :, None] * off[:, None, :])
+    return all_, together
+
+
 def moments(joints: Joints, pull: np.ndarray, shear: np.ndarray) -> np.ndarray:
     """(J, 3) N m of forces along the normals (C,) N and across them (C, 3) N: of bending towards where each face opens,
     of twist along its normal."""
-    arm, count = arms(joints), len(joints.patch_start) - 1
+    arm, count, face = arms(joints), len(joints.patch_start) - 1, faces_of_contacts(joints)
     twist = np.einsum("ci,ci->c", joints.normal, np.cross(arm, shear))
     each = pull[:, None] * arm + twist[:, None] * joints.normal
-    return np.stack([np.bincount(joints.patch, values, count) for values in each.T], axis=1)
+    return np.stack([np.bincount(face, values, count) for values in each.T], axis=1)
 
 
 def arms(joints: Joints) -> np.ndarray:
     """(C, 3) m, from the middle of the contact points of each face to its points."""
-    count = len(joints.patch_start) - 1
-    area = np.bincount(joints.patch, joints.area, count)
-    sums = [np.bincount(joints.patch, joints.area * along, count) for along in joints.point.T]
+    count, face = len(joints.patch_start) - 1, faces_of_contacts(joints)
+    area = np.bincount(face, joints.area, count)
+    sums = [np.bincount(face, joints.area * along, count) for along in joints.point.T]
     middle = np.stack(sums, axis=1) / np.maximum(area, 1e-300)[:, None]
-    return np.asarray(joints.point - middle[joints.patch])
+    return np.asarray(joints.point - middle[face])
 
 
 def _of_points(joints: Joints, count: int) -> tuple[np.ndarray, np.ndarray]:
     """(J, 3, 3) m4 and (J,) m2, of the contact points of each face."""
-    area, arm = np.bincount(joints.patch, joints.area, count), arms(joints)
-    products = [np.bincount(joints.patch, joints.area * a * b, count) for a in arm.T for b in arm.T]
+    face, arm = faces_of_contacts(joints), arms(joints)
+    area = np.bincount(face, joints.area, count)
+    products = [np.bincount(face, joints.area * a * b, count) for a in arm.T for b in arm.T]
     return np.stack(products, axis=1).reshape(-1, 3, 3), area
 
 
@@ -89,3 +114,39 @@ def of_polygons(corners: np.ndarray, normal: np.ndarray, centroid: np.ndarray) -
 
 def _inverse(second: np.ndarray) -> np.ndarray:
     return np.asarray(np.linalg.pinv(second, rcond=FLAT, hermitian=True))
+
+
+def first_patches(joints: Joints) -> np.ndarray:
+    """(P,) for each polygon the number of the first one of its joint face: its own number where it is convex."""
+    own = np.arange(len(joints.patch_start) - 1)
+    patch, contact = np.unique(joints.patch, return_index=True)
+    a, b, normal = joints.block_a[contact], joints.block_b[contact], joints.normal[contact]
+    _, pair, many = np.unique(np.column_stack([a, b]), axis=0, return_inverse=True, return_counts=True)
+    pair = pair.ravel()
+    several = np.flatnonzero(many[pair] > 1)
+    if not len(several):
+        return own
+    size = SAME_PLANE * float(np.ptp(joints.patch_points, axis=0).max())
+    level = np.einsum("ci,ci->c", normal, joints.point[contact])
+    order = several[np.lexsort((level[several], pair[several]))]
+    heads: list[int] = []
+    for k in order.tolist():  # those of one pair follow each other, from the lowest plane up
+        heads = [head for head in heads if pair[head] == pair[k] and level[k] - level[head] <= size]
+        alike = [head for head in heads if np.abs(normal[head] - normal[k]).max() <= SAME_DIRECTION]
+        if alike:
+            own[patch[k]] = patch[alike[0]]
+        else:
+            heads.append(k)
+    return _lowest(own)
+
+
+def _lowest(head: np.ndarray) -> np.ndarray:
+    """The same groups, each named by its lowest member."""
+    least = np.arange(len(head))
+    np.minimum.at(least, head, np.arange(len(head)))
+    return np.asarray(least[head])
+
+
+def faces_of_contacts(joints: Joints) -> np.ndarray:
+    """(C,) the first polygon of the joint face to which each contact belongs."""
+    return np.asarray(first_patches(joints)[joints.patch])

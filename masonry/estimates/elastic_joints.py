@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Joints
-from geometry.joints.second_moments import Lacks, moments
+from geometry.joints.second_moments import Lacks, faces_of_contacts, moments
 
 
 def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.ndarray) -> float:
@@ -16,6 +16,8 @@ def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.
     pull = np.einsum("ci,ci->c", joints.normal, force)
     moment = moments(joints, pull, force - pull[:, None] * joints.normal)
     count = len(joints.patch_start) - 1
-    area = np.bincount(joints.patch, joints.area, count)
-    normal, shear = (np.bincount(joints.patch, values, count) / area for values in stiffness.T)
+    face = faces_of_contacts(joints)
+    area = np.bincount(face, joints.area, count)
+    none = (area <= 0.0).astype(float)  # polygons of a face whose number is that of another one
+    normal, shear = ((np.bincount(face, values, count) + none) / (area + none) for values in stiffness.T)
     return max(float(np.einsum("ja,jab,jb->j", moment, lacks.over(normal, shear), moment).sum()), 0.0)

@@ -7,7 +7,7 @@ import numpy as np
 from geometry.blocks import Joints
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
-from geometry.joints.second_moments import Lacks, lacking_flexibility, of_polygons
+from geometry.joints.second_moments import Lacks, first_patches, lacking_flexibility, of_polygons
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.contact_pairs import points_along
 from masonry.detection.spread import AT_CORNERS, rounds_of
@@ -30,7 +30,8 @@ SPREAD = np.array([[1.0, AT_CORNERS], [1.0, 1.0 - AT_CORNERS]])
 class Faces(NamedTuple):
     """The J joint faces with contact points.
 
-    patch      (J,) their numbers
+    patch      (J,) the number of the first of their polygons
+    polygons   (J,) corners (K, 3) m of their convex polygons
     of         (C,) the face of each contact
     order      (C,) contacts sorted by face
     start      (J + 1,) where each face begins there
@@ -48,6 +49,7 @@ class Faces(NamedTuple):
     """
 
     patch: np.ndarray
+    polygons: list[list[np.ndarray]]
     of: np.ndarray
     order: np.ndarray
     start: np.ndarray
@@ -98,7 +100,8 @@ class Shear(NamedTuple):
 def faces_of(assembly: Assembly) -> Faces:
     """The joint faces of a specimen."""
     joints, model = assembly.joints, assembly.model
-    patch, of = np.unique(joints.patch, return_inverse=True)
+    first_patch = first_patches(joints)
+    patch, of = np.unique(first_patch[joints.patch], return_inverse=True)
     order = np.argsort(of, kind="stable")
     start = np.searchsorted(of[order], np.arange(len(patch) + 1))
     area = np.add.reduceat(joints.area[order], start[:-1])
@@ -120,9 +123,20 @@ def faces_of(assembly: Assembly) -> Faces:
             tears_at[first:end] = np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness)
     lacks = lacking_flexibility(joints)
     softness = Lacks(lacks.bending[patch], lacks.twist[patch]).over(stiffness, shear)
+    own = _polygons(joints, first_patch, patch)
     return Faces(
-        patch, of, order, start, area, middle, normal, group, stiffness, softness, glued, arm, inverse, tears_at
+        patch, own, of, order, start, area, middle, normal, group, stiffness, softness, glued, arm, inverse, tears_at
     )
+
+
+def _polygons(joints: Joints, first_patch: np.ndarray, patch: np.ndarray) -> list[list[np.ndarray]]:
+    """Corners (K, 3) m of the polygons of each face, which are those with the same first one."""
+    all_ = np.split(joints.patch_points, joints.patch_start[1:-1])
+    polygons: dict[int, list[np.ndarray]] = {number: [] for number in patch.tolist()}
+    for first, corners in zip(first_patch.tolist(), all_, strict=True):
+        if first in polygons:
+            polygons[first].append(corners)
+    return list(polygons.values())
 
 
 def is_glued(joint: JointProperties) -> bool:
@@ -200,9 +214,16 @@ def _of(fields: Any, contact: int) -> Any:
     return type(fields)(*(value if np.ndim(value) == 0 else value[contact] for value in fields))
 
 
-def corners_of(joints: Joints, patch: int) -> np.ndarray:
-    """(K, 3) m of the polygon of a joint face."""
-    return joints.patch_points[joints.patch_start[patch] : joints.patch_start[patch + 1]]
+def corners_of(faces: Faces, face: int) -> np.ndarray:
+    """(K, 3) m of the polygons of a joint face."""
+    return np.concatenate(faces.polygons[face])
+
+
+def points_of(polygons: list[np.ndarray], density: Density) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) m and areas (n,) m2 of contact points of a density on convex polygons (K, 3) m."""
+    each = [contact_points(corners[None], np.array([len(corners)]), density)[1:] for corners in polygons]
+    point, area = zip(*each, strict=True)
+    return np.concatenate(point), np.concatenate(area)
 
 
 def own_points(assembly: Assembly, faces: Faces, face: int) -> tuple[np.ndarray, np.ndarray]:
@@ -212,15 +233,19 @@ def own_points(assembly: Assembly, faces: Faces, face: int) -> tuple[np.ndarray,
     meshed = (joints.node_a[contacts] >= 0).any() or (joints.node_b[contacts] >= 0).any()
     if meshed or not are_patches(assembly, faces, face):
         return joints.point[contacts], joints.area[contacts]
-    return patch_points(assembly, faces, face, _rounds(assembly))
+    return patch_points(faces, face, _rounds(assembly))
 
 
-def patch_points(assembly: Assembly, faces: Faces, face: int, rounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def patch_points(faces: Faces, face: int, rounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places (n, 3) m and areas (n,) m2 of the patch of a face that has not moved, in rounds (m, 2)."""
-    corners = corners_of(assembly.joints, faces.patch[face])
-    point, area = contact_points(corners[None], np.array([len(corners)]), Density("vertex", 2))[1:]
-    polar = float(np.trace(of_polygons(corners[None], faces.normal[face][None], faces.middle[face][None])[0]))
-    return _of_patch(point, area, faces.middle[face], polar, rounds)
+    normal, parts = faces.normal[face], []
+    for corners in faces.polygons[face]:
+        point, area = contact_points(corners[None], np.array([len(corners)]), Density("vertex", 2))[1:]
+        middle = area @ point / area.sum()
+        polar = float(np.trace(of_polygons(corners[None], normal[None], middle[None])[0]))
+        parts.append(_of_patch(point, area, middle, polar, rounds))
+    places, areas = zip(*parts, strict=True)
+    return np.concatenate(places), np.concatenate(areas)
 
 
 def _rounds(assembly: Assembly) -> np.ndarray:

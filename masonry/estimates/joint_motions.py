@@ -10,18 +10,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
-from masonry.estimates.joint_faces import Faces, Look, Shear, corners_of, law_of
+from masonry.estimates.joint_faces import Faces, Look, Shear, corners_of, law_of, points_of
 from masonry.estimates.joint_planes import PlanePoints, axes_across, borne_in_plane, shear_strengths, softening
 from masonry.estimates.joint_pressures import StressBounds, pressures
 from masonry.estimates.joint_sections import depth_of, envelope, of_points, spread, strength
 from masonry.laws.state import JointProperties
 from masonry.rows.history import Frame
 
-MANY = Density("gauss", 12)
-"""Points that stand for a stress spread over the area, in its plane: within 0.1 % of 40 along each edge."""
+MANY, FEWER = 12, 4
+"""Points along an edge that stand for a stress spread over the area, in its plane: within 0.1 % of 40 along each edge;
+so few on each of many polygons that make up a face."""
 FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
 TURNED = 1e-3
@@ -56,11 +56,11 @@ def bent(
         return None
     normal, middle = faces.normal[face], faces.middle[face]
     along = now.turn[face] / length
-    corners, moment = corners_of(assembly.joints, faces.patch[face]), abs(float(now.moment[face] @ along))
+    corners, moment = corners_of(faces, face), abs(float(now.moment[face] @ along))
     depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
     if turn * depth <= TURNED * tears_at or (not gave and moment < depth / 6.0 * (limit * faces.area[face] - force)):
         return None
-    many = spread(corners, along, np.cross(normal, along), middle)
+    many = spread(faces.polygons[face], along, np.cross(normal, along), middle)
     if limit == 0.0 and joint.compressive_strength is None:  # it turns about its very edge
         many = of_points((corners - middle) @ along, np.ones(len(corners)))
     if not gave:
@@ -75,6 +75,11 @@ def bent(
         return strength(section, law, force, moment, turn) / bears
 
     return Borne(faces.contacts(face), False, gave, shares, moment / bears, by)
+
+
+def by_many(polygons: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3) m and areas (n,) m2 that stand for a stress spread over convex polygons (K, 3) m."""
+    return points_of(polygons, Density("gauss", max(round(MANY / len(polygons) ** 0.5), FEWER)))
 
 
 def slid(
@@ -104,8 +109,7 @@ def slid(
         on = pressures(place, area, bounds, float(now.force[face]), axes @ now.moment[face])
         return borne_in_plane(PlanePoints(place, area, *shear_strengths(left, on)), law, force, twist, farthest)
 
-    corners = corners_of(joints, faces.patch[face])
-    many = bears(*contact_points(corners[None], np.array([len(corners)]), MANY)[1:])
+    many = bears(*by_many(faces.polygons[face]))
     gave = bool(now.slid[face] > SLID * now.slides[face])
     if not 0.0 < many < np.inf or (not gave and many >= 1.0):
         return None

@@ -94,18 +94,32 @@ def _crushing(joint: JointProperties) -> tuple[np.ndarray, np.ndarray]:
     return plastic + pressure / stiffness, pressure
 
 
-def spread(corners: np.ndarray, along: np.ndarray, across: np.ndarray, middle: np.ndarray) -> Section:
-    """A convex polygon (K, 3) m in strips across a direction; unit vectors `along` and `across` (3,) in its plane."""
-    s, t = (corners - middle) @ along, (corners - middle) @ across
-    edges = s.min() + NARROW * np.ptp(s)
-    place, low, high = 0.5 * (edges[1:] + edges[:-1]), np.full(STRIPS, np.inf), np.full(STRIPS, -np.inf)
+def spread(
+    polygons: list[np.ndarray], along: np.ndarray, across: np.ndarray, middle: np.ndarray, cuts: np.ndarray = NARROW
+) -> Section:
+    """Convex polygons (K, 3) m in strips across a direction; unit vectors `along` and `across` (3,) in their plane.
+
+    cuts  (N + 1,) where strips begin and end, over the depth; polygons begin and end at cuts of their own
+    """
+    ends = [(corners - middle) @ along for corners in polygons]
+    low, high = min(s.min() for s in ends), max(s.max() for s in ends)
+    edges = low + cuts * (high - low)
+    if len(polygons) > 1:
+        edges = np.unique(np.concatenate([edges, *ends]))
+    place = 0.5 * (edges[1:] + edges[:-1])
+    width = sum(_widths(s, (corners - middle) @ across, place) for s, corners in zip(ends, polygons, strict=True))
+    return Section(place, width * np.diff(edges))
+
+
+def _widths(s: np.ndarray, t: np.ndarray, place: np.ndarray) -> np.ndarray:
+    """(N,) m: the width at places (N,) along s of a convex polygon with corners s, t (K,) m."""
+    low, high = np.full(len(place), np.inf), np.full(len(place), -np.inf)
     for a, b, ta, tb in zip(s, np.roll(s, -1), t, np.roll(t, -1), strict=True):
         if a != b:
             passes = (place - a) * (place - b) <= 0.0
             cut = np.where(passes, ta + (tb - ta) * (place - a) / (b - a), np.nan)
             low, high = np.fmin(low, cut), np.fmax(high, cut)
-    width = np.where(high > low, high - low, 0.0)
-    return Section(place, width * np.diff(edges))
+    return np.where(high > low, high - low, 0.0)
 
 
 def depth_of(place: np.ndarray) -> float:

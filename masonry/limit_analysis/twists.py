@@ -7,9 +7,8 @@ plane (`estimates/joint_planes.py`) times their share of the work, as that of a 
 
 import numpy as np
 
-from geometry.joints.contact_points import contact_points
-from geometry.polyhedra.polygons import areas_normals_centroids, pad
-from masonry.estimates.joint_motions import MANY
+from geometry.joints.second_moments import first_patches
+from masonry.estimates.joint_motions import by_many
 from masonry.estimates.joint_planes import PlanePoints, ShearCurve, axes_across, borne_in_plane
 from masonry.estimates.joint_pressures import StressBounds, pressures
 from masonry.limit_analysis.limit_data import LimitData
@@ -42,9 +41,11 @@ def _lost(result: LimitData, bodies: RigidBodies, contacts: RigidContacts) -> fl
     a, b, normal = joints.block_a, joints.block_b, joints.normal
     apart = result.velocity_at(b, joints.point) - result.velocity_at(a, joints.point)
     spin = np.abs(np.einsum("ci,ci->c", result.velocity[b, 3:] - result.velocity[a, 3:], normal))
-    faces, first, of = np.unique(joints.patch, return_index=True, return_inverse=True)
-    corners = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))[0]
-    middle = areas_normals_centroids(corners)[2][faces]
+    heads = first_patches(joints)
+    faces, first, of = np.unique(heads[joints.patch], return_index=True, return_inverse=True)
+    polygons = np.split(joints.patch_points, joints.patch_start[1:-1])
+    area = np.bincount(of, joints.area)[:, None]
+    middle = np.stack([np.bincount(of, joints.area * along) for along in joints.point.T], axis=1) / area
     twist = np.bincount(of, np.einsum("ci,ci->c", normal, np.cross(joints.point - middle[of], result.shear)))
     share = np.bincount(of, np.abs(np.einsum("ci,ci->c", result.shear, apart))) / work
     counts = np.abs(twist) * spin[first] / work >= TWISTS
@@ -52,17 +53,24 @@ def _lost(result: LimitData, bodies: RigidBodies, contacts: RigidContacts) -> fl
     for face in np.argsort(-share)[:MOST]:
         own = np.flatnonzero(of == face)
         if counts[face] and contacts.friction[own].any() and not contacts.solid[own].any():
-            times = _times(result, contacts, own, middle[face], float(twist[face]))
+            parts = [polygons[patch] for patch in np.flatnonzero(heads == faces[face])]
+            times = _times(result, contacts, own, parts, middle[face], float(twist[face]))
             lost += share[face] * max(1.0 - 1.0 / times, 0.0)
     return float(lost)
 
 
-def _times(result: LimitData, contacts: RigidContacts, own: np.ndarray, middle: np.ndarray, twist: float) -> float:
+def _times(
+    result: LimitData,
+    contacts: RigidContacts,
+    own: np.ndarray,
+    polygons: list[np.ndarray],
+    middle: np.ndarray,
+    twist: float,
+) -> float:
     """What a joint carries in its plane, over what it bears there by stresses that are spread over it."""
     joints, normal = result.joints, result.joints.normal[own[0]]
     axes = axes_across(normal)
-    corners = joints.patch_points[slice(*joints.patch_start[[joints.patch[own[0]], joints.patch[own[0]] + 1]])]
-    point, area = contact_points(corners[None], np.array([len(corners)]), MANY)[1:]
+    point, area = by_many(polygons)
     place, whole = (point - middle) @ axes.T, float(area.sum())
     tension = min(float(contacts.tension[own].sum()) / whole, STIFF)
     force = -float(result.normal[own].sum())

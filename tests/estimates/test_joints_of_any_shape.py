@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from geometry.joints.contact_points import contact_points
 from geometry.joints.find import find_joints
 from geometry.joints.point_density import Density
 from geometry.polyhedra.construct import from_faces
-from masonry.estimates.joint_faces import Look, Shear, faces_of
+from masonry.estimates.joint_faces import Look, Shear, faces_of, points_of
 from masonry.estimates.joint_motions import bent, slid
 from masonry.laws.friction import Friction
 from masonry.laws.linear import Linear
@@ -29,31 +28,53 @@ MANY = Density("gauss", 40)
 
 
 class Case(NamedTuple):
-    """A prism on another one: corners (K, 2) m of their joint, its points, and its law."""
+    """A prism on another one: the convex polygons (K, 2) m of their joint, its points, and its law."""
 
-    corners: np.ndarray
+    pieces: list[np.ndarray]
     rule: str
     number: int
     law: str
 
+    @property
+    def corners(self) -> np.ndarray:
+        """(K, 2) m."""
+        return np.concatenate(self.pieces)
 
-def polygon(random: np.random.Generator) -> np.ndarray:
-    """A rectangle of 1:1 to 1:10, or a triangle, turned."""
-    length = random.uniform(0.2, 1.0)
-    if random.random() < 0.65:
+
+def polygons(random: np.random.Generator) -> list[np.ndarray]:
+    """A rectangle of 1:1 to 1:10, a triangle, or an L in two pieces, turned."""
+    length, kind = random.uniform(0.2, 1.0), random.random()
+    if kind < 0.4:
         width = length / random.uniform(1.0, 10.0)
-        flat = np.array([[0.0, 0.0], [length, 0.0], [length, width], [0.0, width]])
+        flat = [np.array([[0.0, 0.0], [length, 0.0], [length, width], [0.0, width]])]
+    elif kind < 0.6:
+        flat = [np.array([[0.0, 0.0], [length, 0.1 * length], [random.uniform(0.1, 0.9) * length, 0.6 * length]])]
     else:
-        flat = np.array([[0.0, 0.0], [length, 0.1 * length], [random.uniform(0.1, 0.9) * length, 0.6 * length]])
+        high, thick, wide = length * np.array([random.uniform(0.3, 1.0), *random.uniform(0.1, 0.25, 2)])
+        flat = ells(length, high, thick, wide, random.random() < 0.5)
     angle = random.uniform(0.0, 2.0 * np.pi)
-    return flat @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    return [one @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]) for one in flat]
+
+
+def ells(long: float, high: float, thick: float, wide: float, mitred: bool) -> list[np.ndarray]:
+    """An L, cut along an arm or from corner to corner."""
+    outer, inner = [0.0, 0.0], [wide, thick]
+    if mitred:
+        return [
+            np.array([outer, [long, 0.0], [long, thick], inner]),
+            np.array([outer, inner, [wide, high], [0.0, high]]),
+        ]
+    return [
+        np.array([outer, [long, 0.0], [long, thick], [0.0, thick]]),
+        np.array([[0.0, thick], inner, [wide, high], [0.0, high]]),
+    ]
 
 
 def cases(count: int) -> list[Case]:
     random = np.random.default_rng(56)
     laws = ["elastic", "dry", "glued", "crushing"]
     return [
-        Case(polygon(random), ["gauss", "vertex"][k // 4 % 2], int(random.integers(2, 13)), laws[k % 4])
+        Case(polygons(random), ["gauss", "vertex"][k // 4 % 2], int(random.integers(2, 13)), laws[k % 4])
         for k in range(count)
     ]
 
@@ -72,30 +93,44 @@ PROPERTIES = {
 }
 
 
-def prism(flat: np.ndarray, low: float, high: float) -> list[np.ndarray]:
-    bottom, top = (np.column_stack([flat, np.full(len(flat), z)]) for z in (low, high))
-    sides = [np.array([bottom[k - 1], bottom[k], top[k], top[k - 1]]) for k in range(len(flat))]
-    return [bottom[::-1], top, *sides]
+def prism(pieces: list[np.ndarray], low: float, high: float) -> list[np.ndarray]:
+    """Faces of a prism on polygons: no sides between two of them."""
+    faces = []
+    for flat in pieces:
+        bottom, top = (np.column_stack([flat, np.full(len(flat), z)]) for z in (low, high))
+        others = [other for other in pieces if other is not flat]
+        faces += [bottom[::-1], top]
+        for k in range(len(flat)):
+            middle = 0.5 * (flat[k - 1] + flat[k])
+            if not any(is_inside(other, middle) for other in others):
+                faces.append(np.array([bottom[k - 1], bottom[k], top[k], top[k - 1]]))
+    return faces
+
+
+def is_inside(flat: np.ndarray, point: np.ndarray) -> bool:
+    """Whether a polygon has a point within it, or at its edge."""
+    edge, off = np.roll(flat, -1, axis=0) - flat, point - flat
+    return bool((edge[:, 0] * off[:, 1] - edge[:, 1] * off[:, 0] > -1e-12).all())
 
 
 class Joint:
     """A case as the estimates see it."""
 
     def __init__(self, case: Case) -> None:
-        solids = [prism(case.corners, -0.1, 0.0), prism(case.corners, 0.0, 0.1)]
+        solids = [prism(case.pieces, -0.1, 0.0), prism(case.pieces, 0.0, 0.1)]
         joints = find_joints(from_faces(solids, [0, 1], [0, 0], ["g"]), case.rule, case.number)
         count = len(joints.area)
         parameters, properties = PROPERTIES[case.law]
         model = SimpleNamespace(
             group=np.zeros(count, dtype=int), groups=Groups((parameters,), (properties,), [0, count])
         )
-        self.assembly = SimpleNamespace(joints=joints, model=model, scene=SimpleNamespace(is_large=False))
+        self.assembly = SimpleNamespace(joints=joints, model=model, scene=SimpleNamespace(is_large=False), pairs=None)
         self.case, self.joints = case, joints
         self.faces = faces_of(self.assembly)
         self.middle, self.normal = self.faces.middle[0], self.faces.normal[0]
-        self.area = float(self.faces.area[0])
-        solid = np.column_stack([case.corners, np.zeros(len(case.corners))])
-        point, area = contact_points(solid[None], np.array([len(solid)]), MANY)[1:]
+        (self.area,) = self.faces.area.tolist()
+        solid = [np.column_stack([flat, np.zeros(len(flat))]) for flat in case.pieces]
+        point, area = points_of(solid, MANY)
         self.own = joints.point - self.middle, joints.area
         self.many = point - self.middle, area
 

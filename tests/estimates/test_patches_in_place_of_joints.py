@@ -17,9 +17,8 @@ CORNERS = np.array([[0.1, 0.2, 0.0], [0.8, 0.4, 0.0], [0.7, 0.75, 0.0], [0.0, 0.
 def test_points_of_a_patch_lie_where_detection_puts_them(along):
     rounds = SPREAD if along == "spread" else rounds_of(along)
     middle, normal = CORNERS.mean(axis=0), np.array([0.0, 0.0, 1.0])
-    joints = SimpleNamespace(patch_points=CORNERS, patch_start=np.array([0, 4]))
-    faces = SimpleNamespace(patch=np.array([0]), middle=middle[None], normal=normal[None])
-    point, area = patch_points(SimpleNamespace(joints=joints), faces, 0, rounds)
+    faces = SimpleNamespace(polygons=[[CORNERS]], normal=normal[None])
+    point, area = patch_points(faces, 0, rounds)
     room = 4 * len(rounds)
     own, gap, feature, part = np.zeros((room, 3)), np.zeros(room), np.zeros(room, dtype=np.int64), np.zeros(room)
     own[:4], part[:4], feature[:4] = CORNERS, area.reshape(-1, 4).sum(axis=0).mean(), np.arange(4)

@@ -41,7 +41,7 @@ def hinges_of(assembly: Assembly, faces: Faces) -> Hinges:
     face = np.flatnonzero((~dry | (not assembly.scene.is_large)) & (np.trace(bare, axis1=1, axis2=2) > 0.5))
     wide = np.zeros(len(face), dtype=bool)
     for number, k in enumerate(face):
-        across = (corners_of(assembly.joints, faces.patch[k]) - faces.middle[k]) @ bare[k]
+        across = (corners_of(faces, int(k)) - faces.middle[k]) @ bare[k]
         wide[number] = np.linalg.norm(np.ptp(across, axis=0)) > SLIVER * faces.area[k] ** 0.5
     return Hinges(face[wide], bare[face[wide]], dry[face[wide]])
 

@@ -81,9 +81,9 @@ def _of_points(inspection: Inspection) -> list[Doubt]:
 
 def _of_corners(inspection: Inspection) -> list[Doubt]:
     """Of a strength in space that friction decides, in joints with points at their corners alone."""
-    look, faces, joints = inspection.look(inspection.peak), inspection.faces, inspection.assembly.joints
+    look, faces = inspection.look(inspection.peak), inspection.faces
     shear, work = inspection.shear(inspection.peak), max(float((look.bends + look.slides).sum()), 1e-300)
-    few = np.diff(faces.start) <= np.diff(joints.patch_start)[faces.patch]
+    few = np.diff(faces.start) <= [sum(map(len, polygons)) for polygons in faces.polygons]
     rubs = float(look.slid[_dry(inspection) & few].sum()) / work
     twists = float(np.abs(shear.twist * shear.turn).sum()) / work
     if inspection.assembly.scene.is_large or inspection.accuracy >= CORNERS or rubs < RUBS or twists < TWISTS:

@@ -13,8 +13,8 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.contact_pairs import points_along
 from masonry.detection.spread import rounds_of
-from masonry.estimates.joint_faces import MOST, Faces, corners_of, law_of
-from masonry.estimates.joint_sections import NARROW, Section, of_points, spread
+from masonry.estimates.joint_faces import MOST, Faces, law_of, patch_points
+from masonry.estimates.joint_sections import Section, of_points, spread
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
 from masonry.rows.columns import CRUSHING, FACTOR
@@ -25,8 +25,8 @@ EVEN = 0.9
 """Of the largest plastic closing in a joint: where its mean is more, the joint does not bend."""
 NOTHING = 1e-9
 """Of area times depth: a volume that is crushed (m3, over strength and turn) below counts as none."""
-STRIPS = 800
-"""As many as make nothing of their own beside forty points."""
+EVENLY = np.linspace(0.0, 1.0, 801)
+"""Where strips begin and end: so many as make nothing of their own beside forty points."""
 SHARES = np.linspace(0.8, 1.25, 16)
 """Of the normal force of a joint."""
 
@@ -84,21 +84,11 @@ def _error(inspection: Inspection, closing: np.ndarray) -> float:
 def _sections(assembly: Assembly, faces: Faces, face: int, along: np.ndarray) -> tuple[Section, Section]:
     """The points of a joint, or of the patch in its place, and strips; across the axis about which it turns."""
     joints, middle, scene, own = assembly.joints, faces.middle[face], assembly.scene, faces.contacts(face)
-    corners = corners_of(joints, faces.patch[face])
-    strips = _finer(spread(corners, along, np.cross(faces.normal[face], along), middle), (corners - middle) @ along)
+    strips = spread(faces.polygons[face], along, np.cross(faces.normal[face], along), middle, EVENLY)
     if not scene.is_large or assembly.model.alive[own].all():
         return of_points((joints.point[own] - middle) @ along, joints.area[own]), strips
-    rounds = rounds_of(points_along(scene, True))
-    place = np.outer(rounds[:, 0], (corners - middle) @ along).ravel()
-    return of_points(place, np.repeat(rounds[:, 1], len(corners)) * faces.area[face] / len(corners)), strips
-
-
-def _finer(strips: Section, corner: np.ndarray) -> Section:
-    """STRIPS strips in place of few, of a polygon with corners at these places (m)."""
-    edge = np.linspace(corner.min(), corner.max(), STRIPS + 1)
-    place = 0.5 * (edge[1:] + edge[:-1])
-    width = np.interp(place, strips.place, strips.area / (np.ptp(corner) * np.diff(NARROW)))
-    return Section(place, width * strips.area.sum() / width.sum())
+    point, area = patch_points(faces, face, rounds_of(points_along(scene, True)))
+    return of_points((point - middle) @ along, area), strips
 
 
 def _crushed(section: Section, elastic: float, share: float) -> float:

@@ -8,10 +8,9 @@ this estimate.
 
 import numpy as np
 
-from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
 from masonry.detection.spread import rounds_of
-from masonry.estimates.joint_faces import MOST, SPREAD, Look, are_patches, corners_of, own_points, patch_points
+from masonry.estimates.joint_faces import MOST, SPREAD, Look, are_patches, own_points, patch_points, points_of
 from masonry.estimates.joint_motions import Borne, bent, slid
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
@@ -22,7 +21,7 @@ are tried."""
 ROWS = (3, 4, 5, 6, 8, 10, 12, 16, 20, 30)
 """Numbers of points along an edge, of which the least is proposed from which on all do."""
 LIFTS = 0.05
-"""Of the mean closing of a dry joint: a point that closes by less hardly bears, and lifts off with the next increment."""
+"""Of the mean closing of a dry joint: a point that closes by less hardly bears, and is about to lift off."""
 TWICE = 1.5
 """Times a strength from which on its error is told as a factor."""
 
@@ -134,10 +133,9 @@ def _advice(inspection: Inspection, bears: list[tuple[int, Borne]], limit: float
     limit *= sum(one.shares.max() for one in first) / sum(one.shares.max() for _, one in bears)
     if are_patches(assembly, inspection.faces, bears[0][0]):
         return _of_patches(inspection, bears[:FIRST], limit)
-    polygons = [corners_of(joints, inspection.faces.patch[face]) for face, _ in bears[:FIRST]]
     for rows in reversed(ROWS):
         density = Density(assembly.scene.contact_points, rows)
-        points = [contact_points(corners[None], np.array([len(corners)]), density)[1:] for corners in polygons]
+        points = [points_of(inspection.faces.polygons[face], density) for face, _ in bears[:FIRST]]
         borne = np.array([one.by(*these) for one, these in zip(first, points, strict=True)])
         if abs(_off(first, borne) - 1.0) > limit:
             break
@@ -153,7 +151,7 @@ def _of_patches(inspection: Inspection, bears: list[tuple[int, Borne]], limit: f
     patches = [(face, one) for face, one in bears if are_patches(inspection.assembly, inspection.faces, face)]
 
     def off(rounds: np.ndarray) -> float:
-        points = [patch_points(inspection.assembly, inspection.faces, face, rounds) for face, _ in patches]
+        points = [patch_points(inspection.faces, face, rounds) for face, _ in patches]
         borne = np.array([one.by(*these) for (_, one), these in zip(patches, points, strict=True)])
         return abs(_off([one for _, one in patches], borne) - 1.0)
 

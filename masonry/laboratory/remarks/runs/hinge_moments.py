@@ -9,7 +9,7 @@ turn.
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.estimates.joint_faces import MOST, Faces, Look, corners_of, law_of
+from masonry.estimates.joint_faces import MOST, Faces, Look, law_of
 from masonry.estimates.joint_sections import Section, envelope, plane, spread, strength
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.hinges import Hinges, free_hinges, hinges_of, more_points
@@ -69,7 +69,7 @@ def _lacks(inspection: Inspection, hinges: Hinges, number: int, field: Deformati
 def _across(assembly: Assembly, faces: Faces, face: int, turn: np.ndarray) -> Section:
     """The whole area of a face in strips across the direction in which it opens by a turn (3,)."""
     along, normal = turn / np.linalg.norm(turn), faces.normal[face]
-    return spread(corners_of(assembly.joints, faces.patch[face]), along, np.cross(normal, along), faces.middle[face])
+    return spread(faces.polygons[face], along, np.cross(normal, along), faces.middle[face])
 
 
 def _dry_moment(
