@@ -261,7 +261,7 @@ def test_steps_that_are_long_beside_the_swings_of_earthquakes_are_told(share, to
 def test_records_that_shake_as_no_earthquake_does_are_told_unless_they_are_scaled_to_a_peak(peak, told):
     ground = SimpleNamespace(record="own.csv", peak=None, scale=-2.0, PLACE="ground")
     ground.motions = {"x": SimpleNamespace(peak_acceleration=2.0 * peak * 9.80665)}
-    assembly = SimpleNamespace(scene=SimpleNamespace(ground=(ground,)))
+    assembly = SimpleNamespace(scene=SimpleNamespace(ground=(ground,), waves=()))
     assert said(odd_records.doubts(assembly), "which is none of an earthquake") == bool(told)
     ground.peak = 4.0
     assert not odd_records.doubts(assembly)

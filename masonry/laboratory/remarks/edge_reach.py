@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from geometry.blocks import Joints
 from masonry.assembly.assemble import Assembly
+from masonry.estimates.joint_faces import Faces, corners_of
 from masonry.judgement.doubt import Doubt
 from masonry.laws.building.factory import properties_of
 
 REACH = 0.9
-"""Share of the way from the middle of a joint to its corners: contact points that reach less far leave a lever arm that
-is too short, by which a block rocks too early."""
+"""Share of the way from the middle of a joint to the edge about which it turns: contact points that reach less far
+leave a lever arm that is too short, by which a block rocks too early."""
 
 MORE = "take specimen.points_per_edge = 6 or more, as an edge that may crush needs points beside it too"
 
@@ -26,18 +26,19 @@ def points_are_chosen(assembly: Assembly) -> bool:
     return assembly.scene.specimen.chooses_patch_points or assembly.model.state.crushed is not None
 
 
-def rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[Doubt]:
-    """One for each group with joints, among these contacts (C,), that neither pull nor have points at the edge."""
-    model, raised, reach = assembly.model, [], _reach(assembly.joints)
+def rocking(assembly: Assembly, faces: Faces, reach: np.ndarray, what: str) -> list[Doubt]:
+    """One for each group with faces that neither pull nor have points at the edge about which they turn.
+
+    reach  (J,) of each face, infinite where it is not asked
+    """
+    model, raised = assembly.model, []
     for g, (name, joint) in enumerate(zip(model.group_names, model.groups.properties, strict=True)):
-        mine = which & (model.group == g)
-        if not (is_dry(assembly, g) and joint.tan_friction and mine.any()):
-            continue
-        if (least := float(reach[mine].min())) > REACH:
+        least = float(reach[faces.group == g].min(initial=np.inf))
+        if not (is_dry(assembly, g) and joint.tan_friction) or least > REACH:
             continue
         sentence = (
             f"contact.{name}: joints without tension {what} about their outermost contact points, and these reach "
-            f"{least:.2g} of the way from the middle to the corners"
+            f"{least:.2g} of the way from the middle to the edge"
         )
         crushes = assembly.scene.contact_of(name).crushing is not None
         raised.append(
@@ -46,14 +47,10 @@ def rocking(assembly: Assembly, which: np.ndarray, what: str) -> list[Doubt]:
     return raised
 
 
-def _reach(joints: Joints) -> np.ndarray:
-    """(C,) how far the points of the same joint face lie from its middle, over how far its corners do."""
-    count = len(joints.patch_start) - 1
-    weight = np.bincount(joints.patch, joints.area, count)
-    sums = [np.bincount(joints.patch, joints.area * along, count) for along in joints.point.T]
-    middle = np.stack(sums, axis=1) / np.maximum(weight, 1e-300)[:, None]
-    of_corner = np.repeat(np.arange(count), np.diff(joints.patch_start))
-    inner, outer = np.zeros(count), np.zeros(count)
-    np.maximum.at(inner, joints.patch, np.linalg.norm(joints.point - middle[joints.patch], axis=1))
-    np.maximum.at(outer, of_corner, np.linalg.norm(joints.patch_points - middle[of_corner], axis=1))
-    return (inner / np.maximum(outer, 1e-300))[joints.patch]
+def reach_along(faces: Faces, face: int, along: np.ndarray) -> float:
+    """How far the points of a face lie from its middle towards the edge about which it turns, over how far its corners
+    do; it opens along directions (D, 3), of which the least counts. Infinite without any."""
+    inner = -(faces.arm[faces.contacts(face)] @ along.T).min(axis=0)
+    outer = -((corners_of(faces, face) - faces.middle[face]) @ along.T).min(axis=0)
+    asked = outer > 0.0
+    return float((inner[asked] / outer[asked]).min(initial=np.inf))

@@ -51,7 +51,7 @@ def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]
     `edge_reach.py` says so."""
     model = assembly.model
     first = faces.order[faces.start[hinges.face]]
-    turns, count = _may_turn(assembly), np.zeros(len(model.group_names), dtype=int)
+    turns, count = axes_of_turns(assembly), np.zeros(len(model.group_names), dtype=int)
     for face, bare, dry, contact in zip(*hinges, first, strict=True):
         about = np.cross(faces.normal[face], bare.T)  # (3, 3), of which each row is an axis
         joined = assembly.joints.block_a[contact], assembly.joints.block_b[contact]
@@ -71,7 +71,7 @@ def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]
     ]
 
 
-def _may_turn(assembly: Assembly) -> np.ndarray:
+def axes_of_turns(assembly: Assembly) -> np.ndarray:
     """(B, 3, 3): the rows are axes about which each block is free to turn; 0 where it is not."""
     model, free = assembly.model, np.zeros((assembly.specimen.blocks.count, 3, 3))
     for part in parts_of(model):

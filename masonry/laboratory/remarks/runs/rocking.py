@@ -7,8 +7,9 @@ Of a run that is made for a strength few_points says what that makes of it.
 
 import numpy as np
 
+from masonry.estimates.joint_faces import Faces
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.edge_reach import rocking
+from masonry.laboratory.remarks.edge_reach import reach_along, rocking
 from masonry.laboratory.remarks.inspection import Inspection
 
 TOE = 0.1
@@ -21,14 +22,15 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     """One for each contact group."""
     if inspection.is_for_strength:
         return []
-    patch = inspection.assembly.joints.patch
-    rocked = np.zeros(len(patch), dtype=bool)
-    for frame in inspection.frames:
-        pressed = frame.normal_stress < 0.0
+    faces = inspection.faces
+    reach, crushed = np.full(len(faces.area), np.inf), _any(faces, _crushed(inspection))
+    for number, frame in enumerate(inspection.frames):
         apart = frame.opening > LIFTED * float(np.abs(frame.opening).max(initial=0.0))
-        rocked |= _in_joints_of(patch, pressed, apart)
-    rocked &= ~np.isin(patch, patch[_crushed(inspection)])
-    return rocking(inspection.assembly, rocked, "opened on one side and turn")
+        turn = inspection.look(number).turn
+        rocked = _any(faces, frame.normal_stress < 0.0) & _any(faces, apart) & ~crushed & np.isfinite(turn).all(axis=1)
+        for face in np.flatnonzero(rocked):
+            reach[face] = min(reach[face], reach_along(faces, int(face), turn[face][None]))
+    return rocking(inspection.assembly, faces, reach, "opened on one side and turn")
 
 
 def _crushed(inspection: Inspection) -> np.ndarray:
@@ -46,6 +48,6 @@ def _crushed(inspection: Inspection) -> np.ndarray:
     return crushed
 
 
-def _in_joints_of(patch: np.ndarray, some: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """(C,) which contacts lie in joint faces that have points of both kinds."""
-    return np.isin(patch, patch[some]) & np.isin(patch, patch[others])
+def _any(faces: Faces, contacts: np.ndarray) -> np.ndarray:
+    """(J,) which faces have such contacts (C,)."""
+    return np.asarray(faces.sums(contacts.astype(float)) > 0.0)
