@@ -163,7 +163,7 @@ def test_swings_under_dead_loads_count_from_a_millionth_of_what_is_stored_on(sha
 
 @pytest.mark.parametrize(("share", "told"), [(0.99, True), (1.01, False)])
 def test_a_joint_whose_edge_crushed_does_not_rock_about_a_point(share, told):
-    """It closes by 1 mm at its strength, and a tenth of that for good is a toe. Without a drive no strength is asked."""
+    """It closes by 1 mm at its strength, and a tenth of that for good is a toe. Without a drive it is asked."""
     assembly = assemble(crushing_scene("small", 2))
     assembly = replace(assembly, scene=assembly.scene.model_copy(update={"drive": None}))
     left = assembly.joints.point[:, 0] < 0.5 * SIDE
