@@ -52,5 +52,5 @@ def reach_along(faces: Faces, face: int, along: np.ndarray) -> float:
     do; it opens along directions (D, 3), of which the least counts. Infinite without any."""
     inner = -(faces.arm[faces.contacts(face)] @ along.T).min(axis=0)
     outer = -((corners_of(faces, face) - faces.middle[face]) @ along.T).min(axis=0)
-    asked = outer > 0.0
-    return float((inner[asked] / outer[asked]).min(initial=np.inf))
+    ahead = outer > 0.0
+    return float((inner[ahead] / outer[ahead]).min(initial=np.inf))

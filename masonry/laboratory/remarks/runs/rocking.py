@@ -23,11 +23,11 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     if inspection.is_for_strength:
         return []
     faces = inspection.faces
-    reach, crushed = np.full(len(faces.area), np.inf), _any(faces, _crushed(inspection))
+    reach, toes = np.full(len(faces.area), np.inf), _any(faces, _crushed(inspection))
     for number, frame in enumerate(inspection.frames):
         apart = frame.opening > LIFTED * float(np.abs(frame.opening).max(initial=0.0))
         turn = inspection.look(number).turn
-        rocked = _any(faces, frame.normal_stress < 0.0) & _any(faces, apart) & ~crushed & np.isfinite(turn).all(axis=1)
+        rocked = _any(faces, frame.normal_stress < 0.0) & _any(faces, apart) & ~toes & np.isfinite(turn).all(axis=1)
         for face in np.flatnonzero(rocked):
             reach[face] = min(reach[face], reach_along(faces, int(face), turn[face][None]))
     return rocking(inspection.assembly, faces, reach, "opened on one side and turn")
