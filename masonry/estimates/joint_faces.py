@@ -131,11 +131,11 @@ def faces_of(assembly: Assembly) -> Faces:
 
 def _polygons(joints: Joints, first_patch: np.ndarray, patch: np.ndarray) -> list[list[np.ndarray]]:
     """Corners (K, 3) m of the polygons of each face, which are those with the same first one."""
-    all_ = np.split(joints.patch_points, joints.patch_start[1:-1])
     polygons: dict[int, list[np.ndarray]] = {number: [] for number in patch.tolist()}
-    for first, corners in zip(first_patch.tolist(), all_, strict=True):
+    bounds = joints.patch_start.tolist()
+    for first, begin, end in zip(first_patch.tolist(), bounds[:-1], bounds[1:], strict=True):
         if first in polygons:
-            polygons[first].append(corners)
+            polygons[first].append(joints.patch_points[begin:end])
     return list(polygons.values())
 
 

@@ -24,7 +24,6 @@ def read_record(name: str) -> dict[str, float]:
 def write_record(name: str, numbers: dict[str, float]) -> None:
     """Keep a table; nothing where it cannot be written."""
     record = {"processor": compiled_for(), "numbers": numbers}
-    with contextlib.suppress(OSError):
-        with WholeFiles(folder := made_root() / FOLDER) as files:
-            (folder / MARKER).write_bytes(OURS)
-            files.text(f"{name}.json", json.dumps(record, indent=1))
+    with contextlib.suppress(OSError), WholeFiles(folder := made_root() / FOLDER) as files:
+        (folder / MARKER).write_bytes(OURS)
+        files.text(f"{name}.json", json.dumps(record, indent=1))
