@@ -105,7 +105,8 @@ def _multiples(
     weight = np.tile(law.stiffness * plane.area, (len(sizes), 1))
     for _ in range(ROUNDS):
         slip = _slips(_slides(weight @ sums, load, sizes), x, y)
-        weight = plane.area * _stress(plane, law, slip) / np.maximum(slip, TINY * slip.max(axis=1, keepdims=True))
+        secant = _stress(plane, law, slip) / np.maximum(slip, TINY * slip.max(axis=1, keepdims=True))
+        weight = plane.area * np.maximum(secant, TINY * law.stiffness)  # what bears nothing any more slides evenly
     slide = _slides(weight @ sums, load, sizes)
     slip = _slips(slide, x, y)
     works = (plane.area * _stress(plane, law, slip) * slip).sum(axis=1)

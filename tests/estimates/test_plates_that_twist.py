@@ -1,8 +1,10 @@
 """Plates, an arm and a lintel that twist about the normals of their joints: right, or told by how much they are not."""
 
+import numpy as np
 import pytest
 
 import masonry
+from masonry.estimates.joint_planes import PlanePoints, ShearCurve, borne_in_plane
 from masonry.judgement.judgement import judgement_of
 from masonry.laboratory import laboratory
 from tests.scenes import box, listed, load, specimen, tables
@@ -182,3 +184,14 @@ def test_a_wall_that_is_bent_across_its_thickness_is_within_3_percent_by_default
     off = summary["peak_force_n"] / right - 1.0
     assert told(summary, "few_points") == pytest.approx(off, abs=0.04) and (told(summary, "few_points") != 0.0)
     assert (abs(off) > 0.2) == bool(points) and (abs(off) < 0.03) != bool(points)
+
+
+def test_what_softens_to_nothing_bears_what_it_bore_first():
+    """Evenly pushed along its plane, a glued face bears its cohesion on its area, however far it slid afterwards."""
+    place, area = np.array([[-1.0, -0.4], [1.2, -0.3], [0.1, 0.9]]), np.array([0.3, 0.25, 0.35])
+    place -= area @ place / area.sum()
+    strong = np.full(3, 2e5)
+    law = ShearCurve(8e9, np.array([0.0, 1e-5, 1.0]), np.array([1.0, 0.0, 0.0]))
+    for farthest in (1e-5, 1e-3, 0.5):
+        bears = borne_in_plane(PlanePoints(place, area, strong, np.zeros(3)), law, np.array([3.0, 4.0]), 0.0, farthest)
+        assert 5.0 * bears == pytest.approx(2e5 * area.sum(), rel=0.01)
