@@ -113,7 +113,7 @@ def faces_of(assembly: Assembly) -> Faces:
         np.array([np.mean(getattr(joint, name)) for joint in properties])[group]
         for name in ("normal_stiffness", "shear_stiffness")
     )
-    glued = np.array([is_glued(joint) for joint in properties])[group]
+    glued = np.array([is_glued(joint) for joint in properties], dtype=bool)[group]
     second *= (np.trace(second, axis1=1, axis2=2) > FLAT * area**2)[:, None, None]
     inverse = np.linalg.pinv(second, rcond=FLAT, hermitian=True)
     normal = joints.normal[order[start[:-1]]]

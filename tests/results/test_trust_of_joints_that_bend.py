@@ -61,7 +61,7 @@ def bears(arms: list[float], law, force: float = 0.0, moment: float = 0.0, farth
 @pytest.mark.parametrize(("arm", "times"), [(GAUSS, 3**0.5), (VERTEX, 3.0)])
 def test_a_brittle_section_bears_its_elastic_moment_and_two_rows_of_points_what_their_arm_gives(arm, times):
     law = envelope(Brittle(), JOINT, 1e-3)
-    many = spread(CORNERS, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
+    many = spread([CORNERS], np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
     elastic = JOINT.tensile_strength * AREA * EDGE / 6.0
     assert strength(many, law, 0.0, 0.0, 1e-4) == pytest.approx(elastic, rel=0.05)
     assert bears([-arm, arm], law) == pytest.approx(times * elastic, rel=0.02)
@@ -75,7 +75,7 @@ def test_a_section_of_more_fibres_than_turns_bears_what_one_of_few_does():
 
 def test_a_tough_section_and_one_that_is_pressed_turn_about_their_edge():
     tough, brittle = envelope(Exponential(1e5, 1e5), JOINT, 1e-2), envelope(Brittle(), JOINT, 1e-2)
-    many = spread(CORNERS, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
+    many = spread([CORNERS], np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
     edge, turn = 0.5 * EDGE * JOINT.tensile_strength * AREA, 0.05
     pressed = (2.0 * JOINT.tensile_strength * EDGE / (JOINT.normal_stiffness * turn)) ** 0.5 / EDGE
     exact = edge * (1.0 - pressed) * (1.0 + pressed / 3.0)
@@ -88,7 +88,7 @@ def test_a_tough_section_and_one_that_is_pressed_turn_about_their_edge():
 
 def test_a_section_that_is_pulled_bears_as_much_as_the_line_of_action_allows():
     law, force = envelope(Brittle(), JOINT, 1e-3), 10.0
-    many = spread(CORNERS, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
+    many = spread([CORNERS], np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]), np.array([0.5 * EDGE, 0.0, 0.0]))
     arm = 0.25 * EDGE
     exact = JOINT.tensile_strength * AREA / (1.0 + 6.0 * arm / EDGE) * arm
     assert strength(many, law, force, arm * force, 1e-4) == pytest.approx(exact, rel=0.05)
