@@ -174,7 +174,8 @@ def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) ->
 def _at_end(values: np.ndarray, weights: tuple[tuple[float, ...], ...]) -> float:
     """A derivative at the first of a few samples, per sample, by as many weights as there are samples; 0 of two."""
     own = weights[min(len(values), 4) - 2]
-    return float(sum(weight * (one - values[0]) for weight, one in zip(own, values[1:], strict=False)))
+    with np.errstate(over="ignore", invalid="ignore"):
+        return float(sum(weight * (one - values[0]) for weight, one in zip(own, values[1:], strict=False)))
 
 
 def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = False, slowly: bool = False) -> Motion:

@@ -74,7 +74,9 @@ def test_rows_come_200_times_a_second_and_show_the_ground():
 def test_the_floor_moves_as_the_ground_and_the_stone_slides_with_no_more_than_friction():
     """Newmark's block: it slips from when the ground accelerates by 0.2 g. Where it begins to, the low-pass swings."""
     rows, time = shaken().history.rows, since(shaken())
-    assert np.abs(rows["acceleration floor"] + rows["ground_x"]).max() < 2e-3 * 0.5 * G
+    off = np.abs(rows["acceleration floor"] + rows["ground_x"])
+    corners = np.minimum(np.abs(time - 0.1), np.abs(time - 1.1)) < 0.01  # the low-pass rounds them
+    assert off[~corners].max() < 1e-5 * G and off.max() < 5e-3 * 0.5 * G
     assert np.all(rows["displacement floor"] == 0.0)
     stone = rows["acceleration stone"]
     assert np.abs(stone).max() < 1.05 * 0.2 * G

@@ -24,6 +24,8 @@ LIFTS = 0.05
 """Of the mean closing of a dry joint: a point that closes by less hardly bears, and is about to lift off."""
 TWICE = 1.5
 """Times a strength from which on its error is told as a factor."""
+NOTHING = 1e-6
+"""Times what many points bear: so much is counted of points that bear nothing."""
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
@@ -113,6 +115,7 @@ def _carried(one: Borne, borne: float) -> float:
 
 def _off(joints: list[Borne], carried: np.ndarray) -> float:
     """The strength over what it should be, by the one of the two reckonings by which it is further off."""
+    carried = np.maximum(carried, NOTHING)
     off = 1.0 / (1.0 - (1.0 - 1.0 / carried) @ np.array([one.shares for one in joints]))
     return float(off[np.argmax(np.abs(np.log(off)))])
 
