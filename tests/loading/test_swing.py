@@ -5,7 +5,7 @@ import pytest
 
 from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory import laboratory
-from masonry.laboratory.summary.free_swing import swing
+from masonry.laboratory.summary.measurements.free_swing import swing
 from masonry.model.damping import Swing, flat_branches
 from tests.scenes import load
 

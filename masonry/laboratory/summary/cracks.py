@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.judgement.scales import Scales
+from masonry.laboratory.summary.scales import Scales
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 from masonry.monitors import events
 from masonry.results.joint_resultants import unit_joints

@@ -4,7 +4,7 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.energy import open_in_contacts
-from masonry.judgement.scales import Scales
+from masonry.laboratory.summary.scales import Scales
 from masonry.results.summary import Energies
 from masonry.rows.columns import BAR_UNITS, CRUSHING, LARGE_UNITS, UNITS
 from masonry.timeloop.recording import Outcome

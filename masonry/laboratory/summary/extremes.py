@@ -3,9 +3,9 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.judgement.scales import Scales
 from masonry.laboratory.summary.measurements.beside_measured import beside_measured
 from masonry.laboratory.summary.measurements.standard_results import standard_results
+from masonry.laboratory.summary.scales import Scales
 from masonry.results.summary import Extremes, Readings
 from masonry.rows.columns import RATES, TILT
 from masonry.rows.cycles import table

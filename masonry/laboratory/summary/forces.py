@@ -7,7 +7,7 @@ import numpy as np
 from geometry.specimens.placed import FLOOR
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.configuration import configuration_of
-from masonry.judgement.scales import Scales
+from masonry.laboratory.summary.scales import Scales
 from masonry.monitors.reactions import BARS, QUIET, balance, moved_by, open_by
 from masonry.results.summary import Forces
 from masonry.timeloop.recording import Outcome

@@ -6,9 +6,9 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.beginning_of_fall import beginning
-from masonry.laboratory.summary.free_swing import free_swings
+from masonry.laboratory.summary.measurements.free_swing import free_swings
+from masonry.laboratory.summary.measurements.shaken_specimen import shaking
 from masonry.laboratory.summary.moved_drive import moved_drive
-from masonry.laboratory.summary.shaken_specimen import shaking
 from masonry.model.damping import swing_of
 from masonry.monitors.shaking_watch import BY_GROUND
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements

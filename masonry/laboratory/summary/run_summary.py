@@ -2,7 +2,6 @@
 
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.schedule import tilt_at
-from masonry.judgement.scales import scales_of
 from masonry.laboratory.summary.cracks import cracks, released_by, sudden_cracks
 from masonry.laboratory.summary.description import course, description
 from masonry.laboratory.summary.energies import energies
@@ -11,6 +10,7 @@ from masonry.laboratory.summary.forces import forces
 from masonry.laboratory.summary.measurements.bars_at_work import bars_at_work
 from masonry.laboratory.summary.movements import movements
 from masonry.laboratory.summary.rest import rest
+from masonry.laboratory.summary.scales import scales_of
 from masonry.results.summary import Summary
 from masonry.rows.columns import TILT
 from masonry.timeloop.recording import Outcome
