@@ -26,6 +26,7 @@ from masonry.assembly.size_limits import require_sane_size
 from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
 from masonry.configuration.setting_off import begin
 from masonry.errors import SceneError, nearest
+from masonry.ground.uniform_ground import UniformGround
 from masonry.laws.building import factory
 from masonry.loading.plan import Plan
 from masonry.model import model
@@ -36,9 +37,8 @@ from masonry.model.large.meeting import Meetings
 from masonry.model.layout import Layout, Material, lay_out
 from masonry.model.loads import Conditions
 from masonry.monitors.reactions import Surroundings
+from masonry.monitors.recording import Recording
 from masonry.scene import Scene
-from masonry.timeloop.gauge_columns import UniformGround
-from masonry.timeloop.recording import Recording
 
 
 @dataclass(frozen=True)

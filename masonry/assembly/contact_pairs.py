@@ -9,10 +9,10 @@ import numpy as np
 from geometry.blocks import Blocks
 from masonry.errors import SceneError
 from masonry.laws.building import factory
+from masonry.laws.restitution import MOST_LENGTH, further_share
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.damping import swing_of
 from masonry.model.large.meeting import Meetings
-from masonry.model.large.restitution import MOST_LENGTH, further_share
 from masonry.patches.arrays import Rules
 from masonry.scene import Scene
 

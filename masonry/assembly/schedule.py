@@ -8,6 +8,7 @@ import numpy as np
 
 from masonry.assembly.driven_path import path_in_time
 from masonry.errors import SceneError
+from masonry.ground.uniform_ground import UniformGround
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.growing import Control, Growing
 from masonry.loading.drive.adaptive import Controlled
@@ -16,7 +17,6 @@ from masonry.loading.programs import followed, passage, program, require_few, ri
 from masonry.loading.scheduled import Program
 from masonry.scene import Scene
 from masonry.scene.tables.load_history import Timed
-from masonry.timeloop.gauge_columns import UniformGround
 
 AnyPlan = TypeVar("AnyPlan", bound=Program | PacedPlan)
 

@@ -32,7 +32,7 @@ from masonry.scene import Scene, to_toml
 from masonry.timeloop import timeloop
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiling import prepare
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 from masonry.timeloop.threads import threads_for
 
 if TYPE_CHECKING:

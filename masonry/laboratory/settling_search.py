@@ -13,7 +13,7 @@ from masonry.rows.rest_criterion import SETTLED
 from masonry.scene import Scene
 from masonry.scene.tables.loads_and_supports import Settle
 from masonry.timeloop.loop import Loop
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 LONGEST = 128_000
 """Steps of the last trial."""

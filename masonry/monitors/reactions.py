@@ -13,6 +13,7 @@ from masonry.model.layout import KINDS
 from masonry.model.loads import Conditions, PointForce
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
+from masonry.rows.history import Standing
 
 FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
 NO_SHIFT = np.zeros((0, 3)), np.zeros((0, 3))
@@ -37,21 +38,6 @@ class Outer:
     parts: Parts
     varies: int | None = None
     points: tuple[PointForce, ...] = ()
-
-
-@dataclass(frozen=True)
-class Standing:
-    """Forces (N) and moments (N m, about the origin of the scene) at one moment: of supports and drive (H, 6), of dead
-    loads (L, 6), of damping and of inertia on what is free to move (6,); force (C, 3) N of contacts on their side a.
-    """
-
-    step: int
-    displacement: float
-    reactions: np.ndarray
-    loads: np.ndarray
-    damping: np.ndarray
-    inertia: np.ndarray
-    force: np.ndarray
 
 
 class Surroundings:

@@ -14,7 +14,7 @@ from geometry.blocks import Blocks, Joints
 from geometry.polyhedra.indexing import ranges
 
 if TYPE_CHECKING:
-    from masonry.monitors.reactions import Standing
+    from masonry.rows.history import Standing
 
 SAME_DIRECTION, SAME_PLANE = 1e-4, 1e-5
 """Normals, and places of a plane over the size of the specimen, that differ by less belong to one joint."""

@@ -50,6 +50,21 @@ class Frame:
         return 1.0 - (1.0 - self.damage_tension) * (1.0 - self.damage_shear)
 
 
+@dataclass(frozen=True)
+class Standing:
+    """Forces (N) and moments (N m, about the origin of the scene) at one moment: of supports and drive (H, 6), of dead
+    loads (L, 6), of damping and of inertia on what is free to move (6,); force (C, 3) N of contacts on their side a.
+    """
+
+    step: int
+    displacement: float
+    reactions: np.ndarray
+    loads: np.ndarray
+    damping: np.ndarray
+    inertia: np.ndarray
+    force: np.ndarray
+
+
 @dataclass
 class History:
     """Rows (one array per key of `masonry.rows.columns.UNITS` and per gauge) and frames of a run, oldest first.

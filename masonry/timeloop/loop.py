@@ -17,10 +17,10 @@ from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse
 from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.reactions import Standing
+from masonry.monitors.recording import Recording
 from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, INPUT_ENERGY, UNITS
-from masonry.rows.history import Frame
+from masonry.rows.history import Frame, Standing
 from masonry.rows.peak import borne, reached
 from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
@@ -29,7 +29,7 @@ from masonry.timeloop.around_peak import AroundPeak
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.gauge_columns import finish_columns, forces_of_bars
 from masonry.timeloop.observers import observers_of
-from masonry.timeloop.recording import Outcome, Recording
+from masonry.timeloop.run_outcome import Outcome
 
 FOUND = ("peak_force", "displacement_at_peak", "blow", "lowest_force", "displacement_at_lowest", "steps", "log")
 """What an outcome has besides the history before the run is over."""

@@ -5,16 +5,16 @@ from masonry.model.large.row_sums import STRETCH
 from masonry.model.model import Model
 from masonry.monitors.collapse import Collapse, LargestDeformation
 from masonry.monitors.collisions.collision import Collision
+from masonry.monitors.collisions.pressed_patches import PressedPatches
 from masonry.monitors.mode_2_area import LawArea
 from masonry.monitors.observer import Observer
 from masonry.monitors.openings import Openings
-from masonry.monitors.pressed_patches import PressedPatches
 from masonry.monitors.reactions import WorkOfLoads
+from masonry.monitors.recording import Recording
 from masonry.monitors.settling import Moving, Settling
 from masonry.monitors.shaking_watch import ShakingWatch
 from masonry.monitors.slide import Slide
 from masonry.monitors.stability import Swings
-from masonry.timeloop.recording import Recording
 
 
 def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:

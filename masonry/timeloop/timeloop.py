@@ -6,11 +6,12 @@ from geometry.jit_cache import NOT_KEPT, NOWHERE
 from masonry.errors import Stopped
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
+from masonry.monitors.recording import Recording
 from masonry.rows.history import History
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.compiling import prepare
 from masonry.timeloop.loop import Loop
-from masonry.timeloop.recording import Outcome, Recording
+from masonry.timeloop.run_outcome import Outcome
 
 
 def run(

@@ -18,7 +18,7 @@ from masonry.monitors.collapse import Strains
 from masonry.rows.columns import CRUSHING, FACTOR
 from masonry.rows.history import Frame, History
 from masonry.scene import load
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 from tests.judgement.frames import frame
 from tests.judgement.test_crushing_energy import SIDE, STRENGTH
 from tests.judgement.test_crushing_energy import inspection as crushed

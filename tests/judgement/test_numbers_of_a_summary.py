@@ -14,12 +14,11 @@ from masonry.loading.collapse.catching import CaughtFall
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.monitors.events import Event
-from masonry.monitors.reactions import Standing
 from masonry.results.summary import Summary
 from masonry.rows.columns import UNITS
-from masonry.rows.history import Frame, History
+from masonry.rows.history import Frame, History, Standing
 from masonry.scene import load
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 from tests.judgement.frames import frame
 
 SECTION, SETTLE, RAMP = 0.01, 4000, 300

@@ -17,10 +17,11 @@ from masonry.model.kinds import KIND
 from masonry.monitors.collapse import Collapse, LargestDeformation
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings, closed
-from masonry.monitors.reactions import Standing, WorkOfLoads, balance, moved_by, of_motion, open_by
+from masonry.monitors.reactions import WorkOfLoads, balance, moved_by, of_motion, open_by
 from masonry.monitors.settling import unbalanced
 from masonry.monitors.slide import Slide, is_roller
 from masonry.monitors.stability import Watch
+from masonry.rows.history import Standing
 from masonry.scene import load
 from tests.kinematics.bricks import turn
 from tests.large.made import dry, slab

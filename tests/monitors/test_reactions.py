@@ -8,7 +8,8 @@ import pytest
 from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.laboratory import laboratory
-from masonry.monitors.reactions import Standing, moved_by, open_by
+from masonry.monitors.reactions import moved_by, open_by
+from masonry.rows.history import Standing
 from tests.large.made import G, dry
 from tests.scenes import ELASTIC, MATERIAL, box, listed, load, specimen, tables
 from verification.fixtures.scene_text import loaded

@@ -9,7 +9,7 @@ from masonry.runtime.state_file import read, write
 from masonry.scene import load
 from masonry.timeloop import timeloop
 from masonry.timeloop.loop import Loop
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 FAST = {"drive.accuracy": "5 %", "settle.steps": 400}
 

@@ -13,7 +13,7 @@ from masonry.scene import load
 from masonry.timeloop import checkpointer as module
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.loop import Loop
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 from tests.kinematics.bricks import turn
 
 

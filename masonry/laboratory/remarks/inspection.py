@@ -8,7 +8,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.estimates.joint_faces import Faces, Look, Shear, faces_of, look_at, shear_of
 from masonry.rows.columns import FACTOR
 from masonry.rows.history import Frame
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 LEAST, WITHOUT = 0.015, 0.02
 """Least error of a strength that an estimate from joint faces can tell, whatever accuracy is asked for; that from which

@@ -10,7 +10,7 @@ from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 from masonry.monitors import events
 from masonry.results.joint_resultants import unit_joints
 from masonry.results.summary import Damage, SuddenCrack
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 BROKEN, DAMAGED = 0.95, 0.05
 SUDDEN = 1e-3

@@ -9,7 +9,7 @@ from masonry.laboratory.summary.provenance import own_sources
 from masonry.results.summary import Course, Description
 from masonry.scene import Scene
 from masonry.scene.tables.limit import LEFT_OUT
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def description(assembly: Assembly) -> Description:

@@ -7,7 +7,7 @@ from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory.summary.scales import Scales
 from masonry.results.summary import Energies
 from masonry.rows.columns import BAR_UNITS, CRUSHING, LARGE_UNITS, UNITS
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 TERMS = [column for column, unit in UNITS.items() if unit == "J"]
 

@@ -10,7 +10,7 @@ from masonry.results.summary import Extremes, Readings
 from masonry.rows.columns import RATES, TILT
 from masonry.rows.cycles import table
 from masonry.rows.peak import at_peak, only_rises, reached
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 LAST = 0.1
 """Of the way of the drive: whether the force still rises is seen there."""

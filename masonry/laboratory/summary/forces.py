@@ -10,7 +10,7 @@ from masonry.configuration.configuration import configuration_of
 from masonry.laboratory.summary.scales import Scales
 from masonry.monitors.reactions import BARS, QUIET, balance, moved_by, open_by
 from masonry.results.summary import Forces
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:

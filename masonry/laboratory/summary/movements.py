@@ -13,7 +13,7 @@ from masonry.model.damping import swing_of
 from masonry.monitors.shaking_watch import BY_GROUND
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 LATE = 0.04
 """Share of a place of the drive, a tilt or a load by which that may change while a fall gains speed: with more it is

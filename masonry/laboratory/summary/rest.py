@@ -10,7 +10,7 @@ from masonry.results.deformation import BlockCorners
 from masonry.results.summary import Rest, Restless
 from masonry.rows.columns import ELASTIC_BARS, FACTOR
 from masonry.rows.rest_criterion import DOUBTED
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 STORED = ("elastic_blocks", "elastic_contacts", ELASTIC_BARS)
 """Columns of what a specimen stores."""

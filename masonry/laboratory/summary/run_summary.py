@@ -13,7 +13,7 @@ from masonry.laboratory.summary.rest import rest
 from masonry.laboratory.summary.scales import scales_of
 from masonry.results.summary import Summary
 from masonry.rows.columns import TILT
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def summarise(assembly: Assembly, outcome: Outcome) -> Summary:

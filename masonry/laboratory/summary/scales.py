@@ -9,7 +9,7 @@ from masonry.model.model import Model
 from masonry.rows.columns import CRUSHING, dissipated_in
 from masonry.rows.peak import before_a_fall, only_rises
 from masonry.scene import Scene
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 LITTLE = 1e-2
 """Share of the external work against which the bookings of the laws are held where they dissipated less: friction that

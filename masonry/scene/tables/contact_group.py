@@ -12,7 +12,7 @@ from pydantic import (
     model_validator,
 )
 
-from masonry.model.large.restitution import share_of_critical
+from masonry.laws.restitution import share_of_critical
 from masonry.quantity import convert
 from masonry.scene.tables.types import (
     SOFTEST,

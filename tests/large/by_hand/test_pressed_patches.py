@@ -5,8 +5,8 @@ import pytest
 
 from masonry.configuration.energy import Seen
 from masonry.laboratory import laboratory
+from masonry.monitors.collisions.pressed_patches import PressedPatches
 from masonry.monitors.observer import View
-from masonry.monitors.pressed_patches import PressedPatches
 from tests.large.by_hand.test_crushed_patches import ASKEW, DEPTH, FAR, FORCE, KN, LENGTH, STRENGTH, Joint
 from tests.large.by_hand.test_crushing_runs import AFFINE, CAP, rocking
 from tests.large.by_hand.test_crushing_runs import STRENGTH as STRENGTH_OF_CAP

@@ -6,7 +6,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.results.records.laboratory_record import CurveReadings, MeasuredBeside
 from masonry.rows import measured_curve
 from masonry.rows.measured_curve import CurveNumbers, ForcePath
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def beside_measured(assembly: Assembly, outcome: Outcome) -> MeasuredBeside | None:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 FEWEST, LEAST = 6, 1e-3
 """Half swings, and the smallest over the first, of which a decrement is told."""

@@ -6,7 +6,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.model.gauges import Gauge
 from masonry.results.summary import GaugeSwing, GroundComponent, LargestForce, Shaking, Uplift
 from masonry.rows.columns import INPUT_ENERGY
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def shaking(assembly: Assembly, outcome: Outcome) -> Shaking | None:

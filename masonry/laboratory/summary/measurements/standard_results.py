@@ -3,7 +3,7 @@
 from masonry.assembly.assemble import Assembly
 from masonry.results.records.laboratory_record import StandardResults
 from masonry.rows.standard_test import compression, diagonal_compression
-from masonry.timeloop.recording import Outcome
+from masonry.timeloop.run_outcome import Outcome
 
 
 def standard_results(assembly: Assembly, outcome: Outcome) -> StandardResults | None:

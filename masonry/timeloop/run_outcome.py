@@ -1,20 +1,16 @@
-"""What is recorded of a run, and what comes of it."""
+"""What comes of a run."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from masonry.loading.loading import LoadingOutcome
-from masonry.model.gauges import Gauge
 from masonry.monitors.events import Event
-from masonry.monitors.reactions import Standing, Surroundings
-from masonry.rows.history import History
+from masonry.rows.history import History, Standing
 from masonry.rows.peak import before_a_collapse, borne, lowest_row, peak_row, turns_back
 from masonry.runtime.processors import Seconds
 from masonry.timeloop.around_peak import missed_between_rows
-from masonry.timeloop.gauge_columns import UniformGround
 
 
 @dataclass
@@ -64,29 +60,3 @@ class Outcome:
         self.lowest_force, self.displacement_at_lowest = 0.0, 0.0
         if force[lowest] < 0.0:
             self.lowest_force, self.displacement_at_lowest = float(force[lowest]), float(place[lowest])
-
-
-@dataclass(frozen=True)
-class Recording:
-    """How forces become stresses (section, m2; sign of the drive), how often to look, which gauges to read then,
-    how many frames to keep, about, the slip that stops a run, the sets of blocks by name, to blame them, what acts
-    from outside, the axis (0, 1, 2) of the drive, None without one, and the motion that all supports share, None
-    without; where any ground moves the acceleration (m/s2) of the weight, beside which forces of inertia act."""
-
-    section: float
-    sign: float = 1.0
-    rows: int = 1000
-    rotation_limit: float = 0.02
-    gauges: tuple[Gauge, ...] = ()
-    frames: int = 24
-    slip_limit: float = 0.25
-    sets: Mapping[str, np.ndarray] = field(default_factory=dict)
-    surroundings: Surroundings = field(default_factory=Surroundings)
-    axis: int | None = None
-    ground: UniformGround | None = None
-    weight_when_shaken: tuple[float, float, float] | None = None
-
-    @property
-    def is_shaken(self) -> bool:
-        """Whether any ground moves."""
-        return self.weight_when_shaken is not None
