@@ -18,25 +18,25 @@ if sys.argv[:1] == ["-m"] and sys.path[0] == os.getcwd() != os.path.dirname(os.p
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     export as export,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     import_blocks as import_blocks,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     law as law,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     record as record,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     resume as resume,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     verify as verify,
 )
-from masonry.functions.shell_functions import (
+from masonry.shell_functions import (
     write_blocks as write_blocks,
 )
 
@@ -44,13 +44,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from pathlib import Path
 
-    from masonry.comparison.sensitivity import Sensitivity
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
     from masonry.limit_analysis.limit_result import LimitResult
     from masonry.materials.contact_table import ContactTable
     from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene import Scene
+    from masonry.sweeps.sensitivity.sensitivity import Sensitivity
     from masonry.sweeps.sweep_run import SweepResult
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
@@ -277,8 +277,8 @@ def sensitivity(
     as it is: 0.97 MPa
     coupling independent: 0.97 MPa
     """
-    from masonry.comparison.sensitivity import sensitivity as compare
     from masonry.laboratory.arguments import called, flag, path, whole, words
+    from masonry.sweeps.sensitivity.sensitivity import sensitivity as compare
 
     folder = None if out is None else path("out", out)
     workers = None if workers is None else whole("workers", workers, 1, 10_000)

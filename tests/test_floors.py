@@ -14,58 +14,20 @@ FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.child_python"),
     *("geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
-    *(
-        "masonry.errors",
-        "masonry.units",
-        "masonry.quantity",
-        "masonry.rows",
-        "masonry.entry_points",
-        "masonry.jit",
-        "masonry.simd",
-    ),
-    *(
-        "masonry.runtime",
-        "masonry.statics",
-        "masonry.detection",
-        "masonry.laws",
-        "masonry.laws.building",
-        "masonry.kinematics",
-        "masonry.patches",
-        "masonry.kernels",
-        "masonry.model",
-        "masonry.configuration.parts",
-        "masonry.configuration",
-    ),
-    *("masonry.ground", "masonry.scene.tables", "masonry.scene"),
-    "masonry.materials",
+    *("masonry.errors", "masonry.units", "masonry.quantity", "masonry.rows", "masonry.runtime"),
+    *("masonry.jit", "masonry.simd", "masonry.laws", "masonry.laws.building"),
+    *("masonry.ground", "masonry.scene.tables", "masonry.scene", "masonry.materials"),
+    *("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
+    *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
+    *("masonry.configuration.parts", "masonry.configuration"),
     *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
-    "masonry.timeloop",
-    "masonry.judgement",
-    *(
-        "masonry.results",
-        "masonry.importing",
-        "masonry.pictures",
-        "masonry.curves",
-        "masonry.movies",
-        "masonry.assembly",
-    ),
-    *(
-        "masonry.estimates",
-        "masonry.drawings",
-        "masonry.limit_analysis",
-        "masonry.modal_analysis",
-        "masonry.laboratory.summary.measurements",
-        "masonry.laboratory.summary",
-        "masonry.laboratory.remarks",
-        "masonry.laboratory",
-        "masonry.reporting",
-        "masonry.sweeps",
-        "masonry.comparison",
-        "masonry.functions",
-        "masonry",
-        "masonry.cli",
-    ),
+    *("masonry.timeloop", "masonry.importing", "masonry.assembly"),
+    *("masonry.estimates", "masonry.drawings", "masonry.statics", "masonry.limit_analysis", "masonry.modal_analysis"),
+    *("masonry.laboratory.summary.measurements", "masonry.laboratory.summary"),
+    *("masonry.laboratory.remarks", "masonry.laboratory", "masonry.reporting"),
+    *("masonry.sweeps", "masonry.sweeps.sensitivity", "masonry.shell_functions", "masonry"),
+    "masonry.cli",
     "masonry.__main__",
     *("verification.references", "verification.balance", "verification.scene_runs", "verification.case"),
     "verification.fixtures",
@@ -77,8 +39,16 @@ FLOORS = (
     *("verification", "tests", "benchmarks"),
 )
 """From the lowest to the highest: folders, and the files that stand at the top of a package."""
+TOWERS = {
+    "reading": ("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
+    "computing": (
+        *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
+        *("masonry.configuration", "masonry.monitors", "masonry.loading", "masonry.timeloop", "masonry.assembly"),
+    ),
+}
+"""What shows and judges results needs rows, laws and the scene; what computes them shows nothing."""
 PACKAGES = {
-    **dict.fromkeys(("masonry.errors", "masonry.entry_points"), ""),
+    **dict.fromkeys(("masonry.errors", "masonry.laws.building.entry_points"), ""),
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics"), "numpy numba llvmlite"),
     "masonry.laws.building": "numpy numba llvmlite",
     **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
@@ -145,6 +115,14 @@ def _targets(base: str, node: ast.ImportFrom) -> set[str]:
     return {f"{base}.{name}" if f"{base}.{name}" in MODULES else base for name in names}
 
 
+def tower_of(floor: str) -> str:
+    """The tower that a floor belongs to; none where both stand on it, or it stands on both."""
+    for name, rooms in TOWERS.items():
+        if any(floor == room or floor.startswith(f"{room}.") for room in rooms):
+            return name
+    return ""
+
+
 def offences(module: str, source: str, is_package: bool = False) -> list[str]:
     """What the imports of one module do against the floors, a sentence each."""
     own, sentences = floor_of(module), []
@@ -159,6 +137,8 @@ def offences(module: str, source: str, is_package: bool = False) -> list[str]:
                 sentences.append(f"{says}, which stands on no floor")
             elif FLOORS.index(other) > FLOORS.index(own):
                 sentences.append(f"{says} of floor '{other}', which is above floor '{own}'")
+            elif {tower_of(own), tower_of(other)} == {"reading", "computing"}:
+                sentences.append(f"{says}: rooms that read and rooms that compute know nothing of each other")
         elif package == "gmsh" and not any(module == allowed or module.startswith(f"{allowed}.") for allowed in GMSH):
             sentences.append(f"{says}; only {GMSH[0]} imports gmsh")
         elif own in PACKAGES and package not in (*sys.stdlib_module_names, *PACKAGES[own].split()):
@@ -231,6 +211,7 @@ def test_every_folder_of_modules_is_a_package_so_that_it_is_installed() -> None:
         ("masonry.model.model", "if True:\n    import masonry.timeloop.timeloop as loop"),
         ("masonry.results.data", "if TYPE_CHECKING:\n    from masonry.curves.curve import curve_figure"),
         ("masonry.timeloop.timeloop", "from masonry.results import data"),
+        ("masonry.results.data", "from masonry.model.model import Model"),
         ("masonry.cli.main", "from verification import report"),
         ("verification.report", "import tests.test_floors"),
         ("verification.report", "from benchmarks import anything"),

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from masonry import __version__
-from masonry.cli import commands
+from masonry.cli.commands import scene_commands
 from masonry.errors import SceneError, Stopped
 from masonry.runtime.ending import Ended, code_of, ended_by_signals, word_of
 from masonry.runtime.processors import AUTO, processors
@@ -34,22 +34,41 @@ from masonry.runtime.shell import (
     let_go_of_output,
 )
 
+HERE = "masonry.cli.commands"
 APART = {
-    "picture": ("masonry.cli.picture_command", "draw the cracks of results at a moment, or the specimen of a scene"),
-    "movie": ("masonry.cli.movie_command", "make a movie of a folder of results: cracks beside the curve"),
-    "report": ("masonry.reporting.report_command", "write a folder of results as one page, for others to read"),
-    "spectrum": ("masonry.cli.spectrum_command", "response spectra of the ground and of gauges of a folder of results"),
-    "limit": ("masonry.cli.limit_command", "the largest factor of a load that a scene bears, by limit analysis"),
-    "modes": ("masonry.cli.modes_command", "frequencies, shapes and effective masses of a scene"),
-    "law": ("masonry.drawings.law_command", "which laws there are, and what one of them does"),
-    "contact": ("masonry.cli.contact_command", "the contact table of a scene from moduli, tests or Eurocode 6"),
-    "record": ("masonry.curves.record_command", "make a record of the ground by seed, of a stated spectrum, as CSV"),
-    "sweep": ("masonry.sweeps.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
-    "sensitivity": ("masonry.comparison.study_command", "run a scene in several ways: what does the answer depend on?"),
+    "picture": (
+        f"{HERE}.picture_command",
+        "draw the cracks of results at a moment, or the specimen of a scene",
+    ),
+    "movie": (f"{HERE}.movie_command", "make a movie of a folder of results: cracks beside the curve"),
+    "report": (f"{HERE}.report_command", "write a folder of results as one page, for others to read"),
+    "spectrum": (
+        f"{HERE}.spectrum_command",
+        "response spectra of the ground and of gauges of a folder of results",
+    ),
+    "limit": (
+        f"{HERE}.limit_command",
+        "the largest factor of a load that a scene bears, by limit analysis",
+    ),
+    "modes": (f"{HERE}.modes_command", "frequencies, shapes and effective masses of a scene"),
+    "law": (f"{HERE}.law_command", "which laws there are, and what one of them does"),
+    "contact": (
+        f"{HERE}.contact_command",
+        "the contact table of a scene from moduli, tests or Eurocode 6",
+    ),
+    "record": (
+        f"{HERE}.record_command",
+        "make a record of the ground by seed, of a stated spectrum, as CSV",
+    ),
+    "sweep": (f"{HERE}.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
+    "sensitivity": (
+        f"{HERE}.study_command",
+        "run a scene in several ways: what does the answer depend on?",
+    ),
     "verify": ("verification.command", "run cases with known answers, and compare"),
     "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
 }
-"""Commands of other rooms and floors: module with a `main` that takes the words after the command, and help."""
+"""Commands with words of their own: module with a `main` that takes the words after the command, and help."""
 
 
 def parser() -> Parser:
@@ -69,22 +88,22 @@ def parser() -> Parser:
     run.add_argument("--threads", type=_threads, default=1, metavar="N", help=how_many)
     run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
     run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
-    run.set_defaults(action=commands.run_scene)
+    run.set_defaults(action=scene_commands.run_scene)
     _add_resume(added)
     check = added.add_parser(
         "check", parents=[scene], help="say how long a scene will take, and which parts of the program it does not use"
     )
-    check.set_defaults(action=commands.check_scene)
+    check.set_defaults(action=scene_commands.check_scene)
     export = added.add_parser("export", parents=[scene], help="write the blocks of a scene for other programs")
     export.add_argument("--to", type=Path, required=True, metavar="FILE", help="a .step, .obj, .stl, .msh or .vtu file")
     export.add_argument("--overwrite", action="store_true", help="replace FILE, if it is there already")
-    export.set_defaults(action=commands.export_scene)
+    export.set_defaults(action=scene_commands.export_scene)
     _add_import(added)
-    added.add_parser("list", help="list the packaged scenes").set_defaults(action=commands.list_scenes)
+    added.add_parser("list", help="list the packaged scenes").set_defaults(action=scene_commands.list_scenes)
     plot = added.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     add_format(plot)
-    plot.set_defaults(action=commands.plot_results)
+    plot.set_defaults(action=scene_commands.plot_results)
     for name, (_, words) in APART.items():
         added.add_parser(name, help=words, add_help=False)
     doctor = added.add_parser("doctor", help="check whether this machine has what a run needs, and computes correctly")
@@ -94,7 +113,7 @@ def parser() -> Parser:
         action="store_true",
         help="compile what usual scenes need, so that no run waits for it",
     )
-    doctor.set_defaults(action=commands.doctor)
+    doctor.set_defaults(action=scene_commands.doctor)
     return main
 
 
@@ -105,7 +124,7 @@ def _add_resume(added: Any) -> None:
     words.add_argument("--threads", type=_threads, metavar="N", help="threads; default: as the run was begun")
     words.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min; default: as the run was begun")
     words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
-    words.set_defaults(action=commands.resume_run)
+    words.set_defaults(action=scene_commands.resume_run)
 
 
 def _add_import(added: Any) -> None:
@@ -139,7 +158,7 @@ def _add_import(added: Any) -> None:
         "--angle", default="20 deg", metavar="ANGLE", help="with --gap: faces look at each other within it"
     )
     words.add_argument("--overwrite", action="store_true", help="replace SCENE.toml and its blocks")
-    words.set_defaults(action=commands.import_blocks)
+    words.set_defaults(action=scene_commands.import_blocks)
 
 
 def main(arguments: list[str] | None = None) -> int:

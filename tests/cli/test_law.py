@@ -7,7 +7,7 @@ import pytest
 from matplotlib.image import imread
 
 from masonry.cli.main import main
-from masonry.drawings import law_command, law_portrait
+from masonry.drawings import law_portrait, law_report
 from masonry.drawings.law_picture import law_figure
 from masonry.drawings.law_portrait import COMPRESSIONS, portrait
 from masonry.errors import SceneError
@@ -125,7 +125,7 @@ NOTHING = {
 
 def zeros() -> list[list[str]]:
     """Every quantity of a contact set to 0, and some of them together."""
-    kinds = {key: law_command._kind(Contact, key) for key in Contact.model_fields}
+    kinds = {key: law_report._kind(Contact, key) for key in Contact.model_fields}
     alone = [[f"{key}={NOTHING[kind]}"] for key, kind in kinds.items()]
     weak = ["tensile_strength=0 Pa", "cohesion=0 Pa"]
     ground = ["residual_friction_angle=0 deg", "friction_angle=0 deg"]
@@ -140,12 +140,12 @@ def test_a_law_is_drawn_at_every_zero_that_a_scene_may_hold(name, monkeypatch):
     drawn = 0
     for changes in zeros():
         try:
-            contact = law_command._contact(name, changes)
+            contact = law_report._contact(name, changes)
             measured = portrait(*build("unit_unit", contact.properties(), (0.0, *COMPRESSIONS)))
         except SceneError:
             continue
         drawn += 1
-        assert "nan" not in str(law_command._energies(contact, measured)), changes
+        assert "nan" not in str(law_report._energies(contact, measured)), changes
         for path in (measured.tension, *measured.shear.values()):
             assert np.isfinite(np.array(path)).all() and np.ptp(path.slip) + np.ptp(path.opening) > 0.0, changes
         torn_by_nothing = not contact.tensile_strength or (contact.tan_friction and not contact.cohesion)  # at the apex

@@ -55,11 +55,12 @@ PLACES = {
 }
 COMMAND = """
 import os, sys, time
-from masonry.cli import commands, main
+from masonry.cli import main
+from masonry.cli.commands import scene_commands
 def act(words):
     number = {number}
 {place}
-commands.list_scenes = act
+scene_commands.list_scenes = act
 sys.exit(main.main(["list"]))
 """
 

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from importlib import invalidate_caches
 from pathlib import Path
 
-from masonry import entry_points
+from masonry.laws.building import entry_points
 from masonry.laws.building import plugins as outside
 from masonry.scene.tables import law_keys
 

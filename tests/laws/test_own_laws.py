@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from masonry import entry_points
 from masonry.drawings.law_portrait import portrait
 from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
+from masonry.laws.building import entry_points
 from masonry.laws.building.factory import build
 from masonry.scene import load, to_toml
 from masonry.sweeps.job import Job

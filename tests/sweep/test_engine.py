@@ -130,7 +130,7 @@ def test_no_run_loads_a_source_that_only_shows(tmp_path):
     files = [name.replace(".", "/") + ".py" for name in loaded.stdout.split() if name.startswith("masonry.")]
     assert "masonry/timeloop/timeloop.py" in files
     shown = [file for file in files for pattern in SHOWING if fnmatchcase(file, pattern)]
-    assert shown == ["masonry/functions/shell_functions.py"], "which masonry offers, and a run does not call"
+    assert shown == ["masonry/shell_functions.py"], "which masonry offers, and a run does not call"
 
 
 @pytest.mark.parametrize(

@@ -21,9 +21,8 @@ SHOWING = (
     *(
         "masonry/__main__.py",
         "masonry/cli/*",
-        "masonry/functions/*",
+        "masonry/shell_functions.py",
         "masonry/sweeps/*",
-        "masonry/comparison/*",
         "masonry/importing/*",
     ),
     *("masonry/pictures/*", "masonry/curves/*", "masonry/drawings/*", "masonry/movies/*", "masonry/reporting/*"),

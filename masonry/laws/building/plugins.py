@@ -10,10 +10,10 @@ from functools import cache
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from masonry.entry_points import Plugin, load, plugin, plugins
 from masonry.errors import SceneError
 from masonry.jit.sources import package_hash
 from masonry.laws import law_names
+from masonry.laws.building.entry_points import Plugin, load, plugin, plugins
 
 GROUP = "masonry.laws"
 CURVES = {

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.cli import spectrum_command
+from masonry.cli.commands import spectrum_command
 from masonry.curves.response_spectra import spectra_csv, spectra_of
 from masonry.errors import SceneError
 from masonry.laboratory.result import Result

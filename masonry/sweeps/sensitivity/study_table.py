@@ -7,10 +7,10 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from masonry.comparison.study import FIGURES, Figure, word_of
 from masonry.errors import visible
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
+from masonry.sweeps.sensitivity.study import FIGURES, Figure, word_of
 
 Row = dict[str, Any]
 SMALL = 0.01

@@ -50,8 +50,8 @@ def main(arguments: list[str] | None = None) -> int:
     only = [kind.strip() for kind in words.only.split(",")] if words.only is not None else []
 
     from masonry import scene
-    from masonry.comparison.sensitivity import CSV, PICTURE, sensitivity
-    from masonry.comparison.study import TABLE
+    from masonry.sweeps.sensitivity.sensitivity import CSV, PICTURE, sensitivity
+    from masonry.sweeps.sensitivity.study import TABLE
 
     loaded = scene.load(words.scene, words.overrides)
     if words.list:
@@ -75,7 +75,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _listing(loaded: "Scene", only: list[str], quick: bool) -> str:
     from masonry.assembly.assemble import assemble
-    from masonry.comparison.variants import variants
+    from masonry.sweeps.sensitivity.variants import variants
 
     rows = [
         (variant.kind, variant.name, ", ".join(f"{key} = {value!r}" for key, value in variant.settings.items()))

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from masonry.drawings.law_command import LawReport
+    from masonry.drawings.law_report import LawReport
     from masonry.ground.made_record import MadeRecord
     from masonry.importing.report import ImportReport
     from masonry.laboratory.result import Result
@@ -142,7 +142,7 @@ def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path |
     >>> print(f"{linear.portrait.mode_1.whole:.2f} N/m")
     10.00 N/m
     """
-    from masonry.drawings.law_command import report_of
+    from masonry.drawings.law_report import report_of
     from masonry.laboratory.arguments import path
 
     report = report_of(name, [f"{key}={value}" for key, value in (settings or {}).items()])
@@ -164,7 +164,7 @@ def record(
     >>> list(made), made["first"].mismatch < 0.1
     (['first'], True)
     """
-    from masonry.curves.record_command import made_records, require_csv, write_records
+    from masonry.curves.made_record_files import made_records, require_csv, write_records
     from masonry.laboratory.arguments import flag, path
 
     target = None if to is None else path("to", to)

@@ -9,11 +9,11 @@ import pytest
 
 import masonry
 from masonry.cli.main import main
-from masonry.comparison import study_table
-from masonry.comparison.picture import figure_of
-from masonry.comparison.study import _deviations
 from masonry.errors import SceneError
 from masonry.sweeps import engine
+from masonry.sweeps.sensitivity import study_table
+from masonry.sweeps.sensitivity.picture import figure_of
+from masonry.sweeps.sensitivity.study import _deviations
 from tests.sweep.samples import marks, mistaken
 
 SHORT = {"drive.accuracy": "10 %", "settle.steps": 300, "confinement": "0.1 MPa"}

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from masonry.comparison.study import word_of
-from masonry.comparison.variants import KINDS
 from masonry.errors import SceneError
 from masonry.laboratory.result import Result, load_result
 from masonry.pictures.labels import wrapped
 from masonry.pictures.style import plain, tidy
 from masonry.rows.columns import FACTOR, gauges_of
+from masonry.sweeps.sensitivity.study import word_of
+from masonry.sweeps.sensitivity.variants import KINDS
 
 COLOURS = dict(
     zip(

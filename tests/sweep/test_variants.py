@@ -3,9 +3,9 @@
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.comparison.variants import KINDS, variants
 from masonry.errors import SceneError
 from masonry.scene import load
+from masonry.sweeps.sensitivity.variants import KINDS, variants
 from tests.monitors.test_collision import slider
 from tests.scenes import load as load_text
 

@@ -1,16 +1,14 @@
-"""`masonry law`: which laws there are and where they come from; of one, its parameters, energies and portrait."""
+"""Which laws there are and where they come from; of one, its parameters, energies and portrait."""
 
 import inspect
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
-from masonry.entry_points import plugins
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
+from masonry.laws.building.entry_points import plugins
 from masonry.laws.building.plugins import all_law_names, plugin_law
-from masonry.runtime.named_file import require_free
-from masonry.runtime.shell import OK, Parser
 
 if TYPE_CHECKING:
     from masonry.drawings.law_portrait import Portrait
@@ -28,43 +26,6 @@ SHOWN = {
 CRUSHING = ("compressive_strength", "fracture_energy_compression", "closing_at_peak", "cap_shear_factor")
 AGREE = 0.01
 """How far `tension_area` may be off the integral of `tension_intact`."""
-
-
-def parser() -> Parser:
-    """The words that the command knows."""
-    words = Parser(prog="masonry law", description="List the laws, or show what one does. More: docs/own-laws.md.")
-    words.add_argument("name", nargs="?", metavar="NAME", help="a law; without it, all are listed")
-    words.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        metavar="KEY=VALUE",
-        dest="changes",
-        help="a key of the contact; the others are those of the couplet (Table 1 of the paper) and the law's examples",
-    )
-    words.add_argument(
-        "--plot", nargs="?", const="", metavar="FILE.png", help="draw a picture of it (default law-NAME.png)"
-    )
-    words.add_argument("--overwrite", action="store_true", help="replace FILE.png, even if masonry did not draw it")
-    return words
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Run the command; returns the exit code. Raises SceneError with one message."""
-    words = parser().parse_args(arguments)
-    if words.name is None:
-        if words.changes or words.plot is not None:
-            raise SceneError("masonry law: --set and --plot go with the NAME of a law")
-        print("\n".join(_list()))
-        return OK
-    plot = None if words.plot is None else Path(words.plot or f"law-{words.name}.png")
-    if plot is not None:
-        require_free(plot, words.overwrite)
-    report = report_of(words.name, words.changes)
-    print(report)
-    if plot is not None:
-        print(report.draw(plot))
-    return OK
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,7 +59,7 @@ def report_of(name: str, changes: list[str]) -> LawReport:
     return LawReport(name, [*_about(name, contact, parameters), *_energies(contact, measured)], measured)
 
 
-def _list() -> list[str]:
+def list_of_laws() -> list[str]:
     """A line for each law: name, where it comes from, what it is or what is wrong with it."""
     from masonry.laws.building.factory import module_of
     from masonry.runtime.tables import columns

@@ -7,9 +7,6 @@ from typing import Any
 
 from masonry.assembly.assemble import assemble
 from masonry.assembly.growing_loads import require_axles_to_load
-from masonry.comparison import study_table
-from masonry.comparison.study import DOING, TABLE, begin, study
-from masonry.comparison.variants import variants
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
 from masonry.runtime.folders.own_files import ResultFiles
@@ -18,6 +15,9 @@ from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene
+from masonry.sweeps.sensitivity import study_table
+from masonry.sweeps.sensitivity.study import DOING, TABLE, begin, study
+from masonry.sweeps.sensitivity.variants import variants
 
 PICTURE, CSV = "sensitivity", "sensitivity.csv"
 
@@ -72,8 +72,8 @@ def sensitivity(
 
 def _write(scene: Scene, folder: Path, rows: list[dict[str, Any]], form: str) -> None:
     """Table and picture, all or none; the picture is left out where no run left a curve."""
-    from masonry.comparison.picture import figure_of
     from masonry.pictures.style import write_picture
+    from masonry.sweeps.sensitivity.picture import figure_of
 
     with writing(folder):
         remove_pictures(folder, PICTURE)

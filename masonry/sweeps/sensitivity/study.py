@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from masonry.comparison.variants import Variant
 from masonry.errors import SceneError
 from masonry.judgement.sentence import trust
 from masonry.results.summary import read_summary
@@ -18,6 +17,7 @@ from masonry.scene import Scene, to_toml
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.run_store import Row
+from masonry.sweeps.sensitivity.variants import Variant
 from masonry.sweeps.work import OK
 
 SCENE, TABLE = "scene.toml", "sensitivity.json"

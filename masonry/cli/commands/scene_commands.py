@@ -33,7 +33,7 @@ def check_scene(words: argparse.Namespace) -> int:
 def export_scene(words: argparse.Namespace) -> int:
     """`masonry export`: with tets where the scene has them."""
     from masonry import scene
-    from masonry.functions.shell_functions import write_export
+    from masonry.shell_functions import write_export
 
     blocks = write_export(scene.load(words.scene, words.overrides), words.to, words.overwrite)
     print(visible(f"{words.to}: {blocks} blocks"))

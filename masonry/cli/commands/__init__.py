@@ -1,0 +1,1 @@
+"""One file for each command of the shell: its words, and what it calls."""

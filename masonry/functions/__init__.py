@@ -1,1 +1,0 @@
-"""What commands of the shell do, as functions: `masonry` hands them on."""
