@@ -121,7 +121,7 @@ class Model:
     configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
     def step_arguments(self) -> tuple[tuple, tuple, tuple, tuple]:
-        """Groups, contacts, bodies and drives as kernels.step.advance takes them: plain tuples, as named ones within
+        """Groups, contacts, bodies and drives as kernels.step.step takes them: plain tuples, as named ones within
         named ones break its threads."""
         return self.groups.swept(self.swept), tuple(self.contacts), tuple(self.bodies), self.drives
 
