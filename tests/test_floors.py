@@ -19,7 +19,7 @@ FLOORS = (
     *("masonry.ground", "masonry.scene.tables", "masonry.scene", "masonry.materials"),
     *("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
     *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
-    *("masonry.configuration.parts", "masonry.configuration"),
+    *("masonry.elements", "masonry.elements.bars", "masonry.configuration.parts", "masonry.configuration"),
     *("masonry.monitors", "masonry.monitors.collisions"),
     *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
     *("masonry.timeloop", "masonry.importing", "masonry.assembly"),
@@ -43,7 +43,7 @@ TOWERS = {
     "reading": ("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
     "computing": (
         *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
-        *("masonry.configuration", "masonry.monitors", "masonry.loading", "masonry.timeloop", "masonry.assembly"),
+        *("masonry.elements", "masonry.configuration", "masonry.monitors", "masonry.loading", "masonry.timeloop", "masonry.assembly"),
     ),
 }
 """What shows and judges results needs rows, laws and the scene; what computes them shows nothing."""
@@ -52,6 +52,7 @@ PACKAGES = {
     **dict.fromkeys(("masonry.simd", "masonry.laws", "masonry.kinematics"), "numpy numba llvmlite"),
     "masonry.laws.building": "numpy numba llvmlite",
     **dict.fromkeys(("masonry.patches", "masonry.kernels", "masonry.model", "masonry.loading"), "numpy numba llvmlite"),
+    **dict.fromkeys(("masonry.elements", "masonry.elements.bars"), "numpy numba llvmlite"),
     "masonry.jit": "numpy numba llvmlite filelock",
     "masonry.detection": "numpy numba",
     "masonry.ground": "numpy scipy",

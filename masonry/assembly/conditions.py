@@ -9,11 +9,13 @@ from geometry.joints import boundary
 from geometry.specimens.placed import FLOOR
 from masonry.assembly.bars.bar_places import bar_places_of
 from masonry.assembly.road.fill import columns_of, weight_of
+from masonry.elements.forces_at_points import ForcesAtPoints
+from masonry.elements.moved_supports import MovedDofs
+from masonry.elements.quiet_faces import Drag, add_face
 from masonry.errors import SceneError, nearest
 from masonry.model import loads
 from masonry.model.kinds import KIND, velocities_of
 from masonry.model.layout import DOFS, KINDS, Layout, Material
-from masonry.model.quiet_faces import Drag, add_face
 from masonry.model.supports import Hold, held_dofs
 from masonry.quantity import parse
 from masonry.scene import Scene
@@ -36,7 +38,7 @@ def conditions_of(
     moves with them (masses.moving_density_of) where that is more."""
     conditions = loads.no_conditions(layout)
     _add_supports(scene, specimen, joints, layout, conditions)
-    _move_supports(scene, conditions)
+    moved = _moved_supports(scene, conditions)
     if scene.drive is not None:
         _add_drive(scene.drive, specimen, joints, layout, conditions)
     for k, traction in enumerate(scene.traction):
@@ -55,11 +57,11 @@ def conditions_of(
         _add_load(layout, conditions, f"traction.{k}", load, varies=traction.path is not None)
     _add_weight(scene, specimen, layout, conditions, density)
     _add_inertia(scene, specimen, layout, conditions, density if moving_density is None else moving_density)
-    if scene.quiet:
-        _add_quiet(scene, specimen, joints, layout, conditions)
+    quiet = [_quiet_faces(scene, specimen, joints, layout, conditions)] if scene.quiet else []
     _add_fill(scene, specimen, joints, layout, conditions)
     _set_moving(scene, specimen, joints, layout, conditions)
-    conditions.bars = bar_places_of(scene, specimen, layout)
+    bars = [bar_places_of(scene, specimen, layout)] if scene.bar else []
+    conditions.elements = [*bars, ForcesAtPoints(), *quiet, *moved]
     return conditions
 
 
@@ -80,11 +82,12 @@ def _add_supports(
     _add(conditions.prescribed, conditions.supported)
 
 
-def _move_supports(scene: Scene, conditions: loads.Conditions) -> None:
+def _moved_supports(scene: Scene, conditions: loads.Conditions) -> list[MovedDofs]:
     """Which dofs of supports and floor move with the ground, and with which of its components."""
     moved: dict[str, list[np.ndarray]] = {kind: [] for kind in KINDS}
     taken = {kind: np.zeros_like(mask) for kind, mask in conditions.prescribed.items()}
     selectors = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    components = 0
     for ground in scene.moved_grounds:
         own = [masks for name, masks in conditions.held_by.items() if ground.on in (None, selectors.get(name, name))]
         for axis in ground.components:
@@ -95,9 +98,10 @@ def _move_supports(scene: Scene, conditions: loads.Conditions) -> None:
                 if (dofs & taken[kind]).any():
                     raise SceneError(f"ground.on = '{ground.on}': another ground moves some of what this support holds")
                 taken[kind] |= dofs
-                moved[kind].append(np.column_stack([*np.nonzero(dofs), np.full(dofs.sum(), conditions.components)]))
-            conditions.components += 1
-    conditions.moved = {kind: rows for kind, each in moved.items() if each and len(rows := np.concatenate(each))}
+                moved[kind].append(np.column_stack([*np.nonzero(dofs), np.full(dofs.sum(), components)]))
+            components += 1
+    dofs_of = {kind: rows for kind, each in moved.items() if each and len(rows := np.concatenate(each))}
+    return [MovedDofs(dofs_of, components)] if components else []
 
 
 def _add_drive(drive: Drive, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
@@ -148,9 +152,11 @@ def _add_inertia(
         _add_load(layout, conditions, f"ground {axis}", inertia, varies=True)
 
 
-def _add_quiet(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
+def _quiet_faces(
+    scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions
+) -> Drag:
     """Dashpots on faces, and the stress of waves along each of their axes: their factors are velocities (m/s)."""
-    conditions.quiet = Drag()
+    drag = Drag()
     owner = np.full(specimen.blocks.face_block().size, -1)
     for k, quiet in enumerate(scene.quiet):
         where = f"quiet.{k}.on"
@@ -171,10 +177,11 @@ def _add_quiet(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout,
         for face in faces.tolist():
             block = int(specimen.blocks.face_block()[face])
             group = specimen.blocks.groups[specimen.blocks.group[block]]
-            add_face(conditions.quiet, push, specimen.blocks, layout, face, impedance_of(scene, quiet, group))
+            add_face(drag, push, specimen.blocks, layout, face, impedance_of(scene, quiet, group))
         for axis in () if quiet.wave is None else quiet.wave.components:
             wave: loads.Load = {kind: rows[:, :, AXES[axis]] if len(rows) else None for kind, rows in push.items()}
             _add_load(layout, conditions, f"quiet.{k} {axis}", wave, varies=True)
+    return drag
 
 
 def impedance_of(scene: Scene, quiet: QuietBoundary, group: str) -> tuple[float, float]:

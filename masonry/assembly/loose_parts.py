@@ -5,7 +5,6 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from geometry.joints.find import connected
 from masonry.errors import SceneError
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout
 from masonry.model.loads import Conditions
@@ -19,12 +18,13 @@ def require_held(specimen: Specimen, joints: Joints, layout: Layout, conditions:
 
     Raises SceneError naming a block of the part. `loaded`: whether there are dead loads at all.
     """
-    part = _linked(connected(specimen.blocks, joints), conditions.bars)
+    part = _linked(connected(specimen.blocks, joints), conditions)
     size = float(np.ptp(layout.centroid, axis=0).max() + np.cbrt(layout.volume.max()))
     for p in np.unique(part):
         member = np.asarray(part == p)
         rows, load = _rigid_motions(layout, conditions, member, size)
-        hung = _along_bars(layout, conditions.bars, member, size)
+        centre = layout.centroid.mean(axis=0)
+        hung = np.concatenate([rows[:0], *(plan.restraints(member, centre, size) for plan in conditions.elements)])
         rows = np.concatenate([rows, hung])
         if len(rows) == 0:
             _refuse(
@@ -56,22 +56,12 @@ def _supported(layout: Layout, conditions: Conditions, member: np.ndarray) -> bo
     )
 
 
-def _linked(part: np.ndarray, bars: BarPlaces | None) -> np.ndarray:
-    """(B,) the part of each block, where bars tie parts to each other as well."""
-    pairs = np.zeros((0, 2), dtype=np.int64) if bars is None else bars.block[(bars.block >= 0).all(axis=1)]
-    for a, b in pairs.tolist():
-        part = np.asarray(np.where(part == part[b], part[a], part))
+def _linked(part: np.ndarray, conditions: Conditions) -> np.ndarray:
+    """(B,) the part of each block, where elements tie parts to each other as well."""
+    for links in (plan.links() for plan in conditions.elements):
+        for a, b in links[(links >= 0).all(axis=1)].tolist():
+            part = np.asarray(np.where(part == part[b], part[a], part))
     return part
-
-
-def _along_bars(layout: Layout, bars: BarPlaces | None, member: np.ndarray, size: float) -> np.ndarray:
-    """(n, 6) what six rigid motions do to the lengths of bars between a part and places that stay in space."""
-    if bars is None:
-        return np.zeros((0, 6))
-    bar, end = np.nonzero((bars.block >= 0) & bars.ends_in_space[:, None])
-    own = np.flatnonzero(member[bars.block[bar, end]])
-    axis, point = bars.axis[bar[own]], bars.point[bar[own], end[own]]
-    return np.concatenate([axis, np.cross(point - layout.centroid.mean(axis=0), axis) / size], axis=1)
 
 
 def _rigid_motions(

@@ -1,10 +1,12 @@
 """Some steps that are taken without a look at them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from masonry.kernels.shaking import MovedSupports
+from masonry.elements.element import ElementCalls, Elements
+from masonry.jit.compiled_parts import StepCalls
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,13 @@ class Chunk:
         return len(self.speed) - 1
 
 
-def begin_at(supports: MovedSupports | None, chunk: Chunk, step: int) -> None:
-    """Hand supports that move the velocities of a chunk, of which a step is next; they rest where it has none."""
-    if supports is not None:
-        supports.begin(supports.at_rest(chunk.steps) if chunk.base is None else chunk.base, step)
+def begin_at(elements: Elements, chunk: Chunk, step: int) -> None:
+    """Hand the elements a chunk, of which a step is next."""
+    for element in elements:
+        element.begin(chunk.steps, chunk.base, step)
+
+
+def with_calls(step: StepCalls, of_elements: Sequence[ElementCalls]) -> StepCalls:
+    """A step with what elements begin and end it with."""
+    begins = [call for calls in of_elements for call in calls.begins]
+    return step.around(begins, [call for calls in of_elements for call in calls.ends])

@@ -12,8 +12,9 @@ import numpy as np
 
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
+from masonry.elements.element import energies_of, stored_by
 from masonry.model.model import Model
-from masonry.rows.columns import BAR_UNITS, CRUSHING, DISSIPATED, ELASTIC_BARS, PLASTIC_BARS
+from masonry.rows.columns import CRUSHING, DISSIPATED, ELEMENT_UNITS
 
 
 class Seen(NamedTuple):
@@ -36,12 +37,12 @@ class Observation:
     elastic_blocks: float
     least: float = 1.0
     longest: float = 1.0
-    elastic_bars: float = 0.0
+    elastic_elements: float = 0.0
 
     @property
     def stored(self) -> float:
         """J, in all."""
-        return self.elastic_blocks + self.elastic_contacts + self.elastic_bars
+        return self.elastic_blocks + self.elastic_contacts + self.elastic_elements
 
 
 def observe(model: Model) -> Observation:
@@ -57,8 +58,7 @@ def observe(model: Model) -> Observation:
         strain = part.strain(of_part)
         elastic, least, longest = elastic + strain.energy, min(least, strain.least), max(longest, strain.longest)
         stress[part.blocks] = of_part / model.layout.volume[part.blocks, None]
-    bars = energies_of_bars(model).get(ELASTIC_BARS, 0.0)
-    return Observation(Seen(*seen), stress, stored, elastic, least, longest, bars)
+    return Observation(Seen(*seen), stress, stored, elastic, least, longest, stored_by(model.elements))
 
 
 def kinetic(model: Model, before: list[np.ndarray]) -> float:
@@ -89,10 +89,10 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     contact_work, damping, external = -float(done[0]), -float(done[1]), float(done[2])
     dissipated = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
-    further = configuration.further_energies(done, view.elastic_blocks) | energies_of_bars(model)
-    if model.bars is not None:  # what tightens bars acts from outside, and goes into them
-        tightening = float(model.bars.tightening.sum())
-        external, contact_work = external + tightening, contact_work + tightening
+    further = configuration.further_energies(done, view.elastic_blocks) | energies_of(model.elements)
+    for work in (one.work_from_outside() for one in model.elements):
+        if work is not None:
+            external, contact_work = external + work, contact_work + work
     return {
         "external_work": external,
         "elastic_blocks": view.elastic_blocks,
@@ -108,15 +108,7 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
     }
 
 
-def energies_of_bars(model: Model) -> dict[str, float]:
-    """J that bars store and that yielding took, under the names of their columns; nothing where there are none."""
-    if (bars := model.bars) is None:
-        return {}
-    stored = float(np.sum(0.5 * bars.tension**2 / bars.stiffness))
-    return {ELASTIC_BARS: stored, PLASTIC_BARS: float(bars.plastic_work.sum())}
-
-
 def open_in_contacts(terms: dict[str, float]) -> float:
     """Work that contacts took up (J) less all that is known of it: stored, dissipated, and booked at re-detection."""
-    known = ("elastic_contacts", *DISSIPATED, CRUSHING, *BAR_UNITS, "dashpot", "redetection", "area")
+    known = ("elastic_contacts", *DISSIPATED, CRUSHING, *ELEMENT_UNITS, "dashpot", "redetection", "area")
     return terms["contact_work"] - sum(terms.get(key, 0.0) for key in known)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from geometry.polyhedra.measures import extent
-from masonry.configuration.bar_forces import forces_of_bars
+from masonry.elements.element import acting_on_blocks
 from masonry.jit.compiled_parts import Call, RepeatedCall
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
@@ -211,9 +211,9 @@ def forces_on_blocks(model: Model, large: Large, points: Points) -> tuple[np.nda
     place = np.concatenate([points.place, joints.point[whole] + moved(model, large, joints.point[whole], pair[:, 1])])
     now = layout.centroid + large.near.motion.moved[: len(layout.centroid), :3]
     sides, force, place = block.T.ravel(), np.concatenate([force, -force]), np.concatenate([place, place])
-    if (bars := forces_of_bars(model, turns=True)) is not None:
-        sides = np.concatenate([sides, bars.block])
-        force, place = np.concatenate([force, bars.force]), np.concatenate([place, bars.place])
+    if (acting := acting_on_blocks(model.elements)) is not None:
+        sides = np.concatenate([sides, acting.block])
+        force, place = np.concatenate([force, acting.force]), np.concatenate([place, acting.place])
     return sides, force.T.copy(), (place - now[sides]).T.copy()
 
 

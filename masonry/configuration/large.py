@@ -5,8 +5,7 @@ from math import sqrt
 
 import numpy as np
 
-from masonry.configuration.bar_forces import stiffened
-from masonry.configuration.chunk import Chunk, begin_at
+from masonry.configuration.chunk import Chunk, begin_at, with_calls
 from masonry.configuration.contacts import (
     ContactsLook,
     crushing_of,
@@ -20,11 +19,10 @@ from masonry.configuration.joint_forces import BearingPoints, JointForces, force
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import written_arrays, written_in_large
+from masonry.elements.element import stiffened
 from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
-from masonry.kernels.quiet import absorbing, remembering
-from masonry.kernels.shaking import shaking
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.arrays import AREA, BORN, CRUSHED, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
@@ -62,7 +60,7 @@ class LargeDisplacement:
         while done < steps or steps == 0:
             made_of = model.dt, model.swept, model.groups, model.contacts, model.bodies, large.near, model.acting
             self.stepper.prepare(lambda shared: self.program(threads, shared), model.damping, *made_of)
-            begin_at(model.moved_supports, chunk, first + done)
+            begin_at(model.elements, chunk, first + done)
             done += self.stepper.take(first + done, steps - done, chunk.dead_load, chunk.speed, drive_force[done:])
             if done == steps:
                 return
@@ -71,13 +69,13 @@ class LargeDisplacement:
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, large = self.model, self.parts
         groups, contacts, bodies, drives = model.step_arguments()
+        of_elements = [element.calls(model, shared) for element in model.elements]
+        forces = [call for calls in of_elements for call in calls.forces]
         calls = step(
             *(model.dt, model.damping, groups, contacts, large.bonds, bodies, drives),
-            *(large.near, large.members, shared, model.acting, model.point_loads, model.bars),
+            *(large.near, large.members, shared, model.acting, forces),
         )
-        if model.quiet is not None:
-            calls = calls.around(remembering(model.quiet, bodies), absorbing(model.quiet, bodies, model.dt))
-        calls = calls.followed_by(shaking(model.moved_supports, bodies))
+        calls = with_calls(calls, of_elements)
         of_patches = self._stored(), self._overlap(np.zeros(0)), self._compressions(), self.bearing.of(large.near)
         calls.of_rows = [*self.contacts.calls(), *of_patches]
         return calls
@@ -173,7 +171,7 @@ class LargeDisplacement:
         pair = np.concatenate([bonded[alive], near.pieces.block[pairs.body[touching]]])
         patches = near.rules.normal_stiffness[pairs.law[touching]] * area
         of_contacts = sums_of_blocks(pair, np.append(stiffness[alive], patches), self.model.blocks.count)
-        return stiffened(self.model, of_contacts)
+        return stiffened(of_contacts, self.model.elements)
 
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         near = self.parts.near

@@ -32,7 +32,7 @@ def fingerprint(model: Model) -> str:
     digest = hashlib.blake2b(digest_size=16)
     moving = {id(array) for array in configuration_of(model).written().values()}
     fixed = model.groups, model.contacts, model.bodies, model.drives, model.supports, model.masses, model.dt
-    for value in _leaves(fixed if model.bars is None else (*fixed, model.bars)):
+    for value in _leaves((*fixed, *(one for element in model.elements if len(one := element.constants())))):
         if id(value) in moving:
             continue
         if isinstance(value, np.ndarray):

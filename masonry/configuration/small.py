@@ -5,8 +5,7 @@ from math import inf
 
 import numpy as np
 
-from masonry.configuration.bar_forces import forces_of_bars, stiffened, with_bars
-from masonry.configuration.chunk import Chunk, begin_at
+from masonry.configuration.chunk import Chunk, begin_at, with_calls
 from masonry.configuration.contacts import (
     ContactsLook,
     crushing_of,
@@ -17,10 +16,9 @@ from masonry.configuration.contacts import (
 )
 from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
+from masonry.elements.element import acting_on_blocks, stiffened, with_elements
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
-from masonry.kernels.quiet import absorbing, remembering
-from masonry.kernels.shaking import shaking
 from masonry.kernels.step import step
 from masonry.model.model import Model
 from masonry.rows.columns import DASHPOT
@@ -42,15 +40,15 @@ class SmallDisplacement:
         model = self.model
         made_of = threads, model.dt, model.swept, model.groups, model.contacts, model.bodies, model.acting
         self.stepper.prepare(lambda shared: self.program(threads, shared), model.damping, *made_of)
-        begin_at(model.moved_supports, chunk, first)
+        begin_at(model.elements, chunk, first)
         self.stepper.take(first, steps, chunk.dead_load, chunk.speed, drive_force)
 
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         model, parallel = self.model, True if threads > 1 else None
-        calls = step(parallel, model.dt, model.damping, *model.step_arguments(), shared, model.acting, model.bars)
-        if model.quiet is not None:
-            calls = calls.around(remembering(model.quiet, model.bodies), absorbing(model.quiet, model.bodies, model.dt))
-        calls = calls.followed_by(shaking(model.moved_supports, model.bodies))
+        of_elements = [element.calls(model, shared) for element in model.elements]
+        forces = [call for calls in of_elements for call in calls.forces]
+        made_of = parallel, model.dt, model.damping, *model.step_arguments()
+        calls = with_calls(step(*made_of, shared, model.acting, forces, model.force), of_elements)
         calls.of_rows = self.contacts.calls()
         return calls
 
@@ -76,12 +74,12 @@ class SmallDisplacement:
 
     def forces_on_blocks(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         force, (block, arm) = self.model.contacts.force.T, self._sides
-        bars = forces_of_bars(self.model, turns=False)
-        if bars is None:
+        acting = acting_on_blocks(self.model.elements)
+        if acting is None:
             return block, np.concatenate([force, -force], axis=1), arm
-        lever = bars.place - self.model.layout.centroid[bars.block]
-        force = np.concatenate([force, -force, bars.force.T], axis=1)
-        return np.concatenate([block, bars.block]), force, np.concatenate([arm, lever.T], axis=1)
+        lever = acting.place - self.model.layout.centroid[acting.block]
+        force = np.concatenate([force, -force, acting.force.T], axis=1)
+        return np.concatenate([block, acting.block]), force, np.concatenate([arm, lever.T], axis=1)
 
     def forces_of_pairs(self) -> tuple[np.ndarray, np.ndarray]:
         joints = self.model.joints
@@ -97,7 +95,7 @@ class SmallDisplacement:
 
     def pressed(self) -> np.ndarray:
         forces = np.abs(self.model.contacts.force).sum(axis=1)
-        return with_bars(self.model, sums_of_blocks(self._pairs, forces, self.model.blocks.count))
+        return with_elements(sums_of_blocks(self._pairs, forces, self.model.blocks.count), self.model.elements)
 
     @cached_property
     def _pairs(self) -> np.ndarray:
@@ -109,7 +107,7 @@ class SmallDisplacement:
     @cached_property
     def _stiffness(self) -> np.ndarray:
         of_contacts = sums_of_blocks(self._pairs, stiffness_of_contacts(self.model), self.model.blocks.count)
-        return stiffened(self.model, of_contacts)
+        return stiffened(of_contacts, self.model.elements)
 
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         return 0.0, (0, 0)

@@ -29,13 +29,6 @@ class WrittenOfBodies(NamedTuple):
     shifted: np.ndarray | None
 
 
-class WrittenOfPoints(NamedTuple):
-    """Of PointLoads: forces, which may vary."""
-
-    load: np.ndarray
-    change: np.ndarray
-
-
 class WrittenOfMotion(NamedTuple):
     """Of BlockMotion, where some blocks deform: gathered of all kinds at each step, and looked at by rows and frames
     before the next one."""
@@ -68,20 +61,6 @@ class WrittenOfDashpots(NamedTuple):
     taken: np.ndarray
 
 
-class WrittenOfBars(NamedTuple):
-    """Of Bars."""
-
-    force: np.ndarray
-    tension: np.ndarray
-    elongation: np.ndarray
-    plastic: np.ndarray
-    tightened: np.ndarray
-    plastic_work: np.ndarray
-    tightening: np.ndarray
-    peak: np.ndarray
-    trough: np.ndarray
-
-
 class WrittenOfSearch(NamedTuple):
     """Of Search."""
 
@@ -103,11 +82,8 @@ def written_arrays(model: Model) -> Arrays:
             arrays |= _fields(kind, WrittenOfBodies, body)
     if model.dashpots is not None:
         arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
-    if model.bars is not None:
-        arrays |= _fields("bars", WrittenOfBars, model.bars)
-    for kind, rows in zip(model.layout.members, model.quiet or (), strict=False):
-        if rows is not None:
-            arrays[f"quiet.{kind}"] = rows.force
+    for element in model.elements:
+        arrays |= {f"{element.name}.{name}": array for name, array in element.written().items()}
     for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in arrays.values()}
         arrays |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
@@ -119,8 +95,6 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     near = large.near
     arrays: dict[str, Any] = {"account": near.account, "area": model.contacts.area, "travel": near.motion.travel}
     arrays |= _fields("bonds", WrittenOfBonds, large.bonds) | _fields("search", WrittenOfSearch, near.search)
-    if model.point_loads is not None:
-        arrays |= _fields("point_loads", WrittenOfPoints, model.point_loads)
     if large.members is not None:
         arrays |= _fields("motion", WrittenOfMotion, near.motion) | {"rotations": large.bonds.frames}
     arrays |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}

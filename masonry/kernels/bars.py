@@ -55,10 +55,9 @@ class Bars(NamedTuple):
     trough: np.ndarray
 
 
-def pulling(bars: Bars | None, turns: bool, u: np.ndarray, shared: np.ndarray) -> list[Call]:
-    """The forces of all bars, once their ends have moved; turns: whether they turn with these, in large displacement.
-    Nothing where there are none."""
-    return [] if bars is None else [_pull.of(*bars, int(turns), u, shared)]
+def pulling(bars: Bars, turns: bool, u: np.ndarray, shared: np.ndarray) -> Call:
+    """The forces of all bars once their ends have moved; turns: whether they turn with these, in large displacement."""
+    return _pull.of(*bars, int(turns), u, shared)
 
 
 @CompiledPart

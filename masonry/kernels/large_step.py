@@ -12,10 +12,8 @@ from masonry.jit.compiled_parts import Call, CompiledPart, StepCalls
 from masonry.jit.records import unpack
 from masonry.kernels import bonds as bonded
 from masonry.kernels import gathering
-from masonry.kernels.bars import Bars, pulling
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
-from masonry.kernels.point_loads import PointLoads, shifting
 from masonry.kernels.step import displacing, driving, kicking, sweeping
 from masonry.kinematics.shared import SPARE, TRAVEL
 from masonry.patches.arrays import Near
@@ -28,20 +26,19 @@ from masonry.patches.refreshing import count_travel, looking
 def step(
     dt: float, damping: Any, groups: tuple, contacts: tuple, bonds: Bonds, bodies: Sequence[Any],
     drives: Sequence[Any], near: Near, members: Members | None, shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS,
-    points: PointLoads | None = None, bars: Bars | None = None,
+    elements: Sequence[Call] = (),
 ) -> StepCalls:  # fmt: skip
     """The step of large displacement, for `driver.drive`: it ends where room runs out.
 
     Arguments as of kernels.step.step; contacts hold displacements and forces in the frames of the bonds.
     near     what blocks meet
     members  where some blocks deform, else None
-    points   where loads act at points of rigid blocks, else None
-    bars     between points of blocks, else None
+    elements  calls that compute their forces
     """
     *_, local, force = contacts
     motion, sweeps = near.motion, sweeping(None, groups, contacts, dashpots)
     kicks = [*kicking(None, bodies, dt, damping, shared, bonds.force, bonds.u), *driving(bodies, drives, shared)]
-    kicks = [*pulling(bars, True, bonds.u, shared), *shifting(points, bodies[0], shared), *kicks]
+    kicks = [*elements, *kicks]
     moves, some_bonds = displacing(None, bodies, dt, bonds.u), len(bonds.runs) > 0
     begins = [_travel.of(motion, dt, shared)]
     if members is None:

@@ -29,9 +29,9 @@ class PointLoads(NamedTuple):
     change: np.ndarray
 
 
-def shifting(points: PointLoads | None, body: Any, shared: np.ndarray) -> list[Call]:
-    """What the points do to the moments on their blocks, once these have moved; nothing where there are none."""
-    return [] if points is None else [_shift.of(*points, body.q, body.frame, body.shifted, shared)]
+def shifting(points: PointLoads, body: Any, shared: np.ndarray) -> Call:
+    """What the points do to the moments on their blocks, once these have moved."""
+    return _shift.of(*points, body.q, body.frame, body.shifted, shared)
 
 
 @CompiledPart

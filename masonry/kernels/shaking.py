@@ -37,10 +37,8 @@ class MovedSupports(NamedTuple):
         self.now[0] = step + 1
 
 
-def shaking(supports: MovedSupports | None, bodies: Sequence[Any]) -> list[Call]:
-    """What the ground does to the bodies that it moves; nothing where supports rest."""
-    if supports is None:
-        return []
+def shaking(supports: MovedSupports, bodies: Sequence[Any]) -> list[Call]:
+    """What the ground does to the bodies that it moves."""
     pairs = [(body, dofs) for body, dofs in zip(bodies, supports.dofs, strict=True) if dofs is not None]
     moves = [_carry.of(body.v, dofs, supports.velocity, supports.now) for body, dofs in pairs]
     return [*moves, _pass.of(supports.now)]

@@ -12,7 +12,6 @@ import numpy as np
 from masonry.jit.compiled_parts import Call, CompiledPart, StepCalls
 from masonry.jit.records import unpack
 from masonry.kernels import contact
-from masonry.kernels.bars import Bars, pulling
 from masonry.kinematics.dispatch import move, update_positions
 from masonry.kinematics.shared import DRIVE_FORCE, FACTOR, FACTOR_BEFORE, SPEED, SPEED_BEFORE
 from masonry.patches.branches import NO_DASHPOTS, Dashpots
@@ -20,7 +19,8 @@ from masonry.patches.branches import NO_DASHPOTS, Dashpots
 
 def step(
     parallel: bool | None, dt: float, damping: Any, groups: tuple, contacts: tuple, bodies: Sequence[Any],
-    drives: Sequence[Any], shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS, bars: Bars | None = None,
+    drives: Sequence[Any], shared: np.ndarray, dashpots: Dashpots = NO_DASHPOTS, elements: Sequence[Call] = (),
+    all_forces: np.ndarray | None = None,
 ) -> StepCalls:  # fmt: skip
     """The step of small displacement, for `driver.drive`.
 
@@ -33,7 +33,7 @@ def step(
     drives    (K, 2) row and number of the dofs that the drive moves, one array per kind of bodies or None
     shared    what parts share, of kinematics/shared.py
     dashpots  in closed contacts
-    bars      between points of blocks, else None
+    elements  calls that compute their forces; all_forces: rows of those of contacts, and behind them of elements
     """
     *_, u, force = contacts
     return StepCalls(
@@ -43,8 +43,8 @@ def step(
         [
             *displacing(parallel, bodies, dt, u),
             *sweeping(parallel, groups, contacts, dashpots),
-            *pulling(bars, False, u, shared),
-            *kicking(parallel, bodies, dt, damping, shared, force if bars is None else bars.force, u),
+            *elements,
+            *kicking(parallel, bodies, dt, damping, shared, force if all_forces is None else all_forces, u),
             *driving(bodies, drives, shared),
         ],
     )

@@ -15,11 +15,10 @@ FEW = 4
 
 def bar_lines(assembly: Assembly) -> list[str]:
     """How many bars, how long, their stiffness and yield force, and between what."""
-    places, bars, lines = assembly.model.bar_places, assembly.scene.bar, []
+    links, bars, lines = [one.links() for one in assembly.model.elements if one.name == "bars"], assembly.scene.bar, []
     first = 0
     for k, bar in enumerate(bars):
-        assert places is not None
-        ends = places.block[first : first + bar.repeat].T
+        ends = links[0][first : first + bar.repeat].T
         between = " and ".join(_blocks(blocks) for blocks in ends.tolist())
         many = "" if bar.repeat == 1 else f"{bar.repeat} "
         name = f"'{bar.name}'" if bar.name else f"bar {k}" if bar.repeat == 1 else f"bars of table {k}"

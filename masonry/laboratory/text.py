@@ -15,7 +15,6 @@ from masonry.laboratory.beside_text import measured_lines, standard_lines
 from masonry.laboratory.shaking_text import shaking_rows
 from masonry.results.frame_choice import without_noise
 from masonry.results.reaction_words import reaction_lines
-from masonry.results.records.bar_record import BarRecord
 from masonry.results.summary import CollapseBranch, CollapseLoad, FirstFall, LoadLoops, Readings, Shaking, Summary
 from masonry.runtime.named_file import FORMATS
 from masonry.runtime.progress import duration
@@ -146,7 +145,7 @@ def summary_rows(summary: Summary) -> Rows:
         ("measured", measured_lines(summary.beside_measured) if summary.beside_measured else []),
         ("standard", standard_lines(summary.standard) if summary.standard else []),
         ("compression", [pressed_text(summary)] if summary.compression_max_pa else []),
-        ("bars", [bars_text(summary.bars)] if summary.bars else []),
+        *((name, [words]) for name, words in summary.words_on_elements.items()),
         *_balance_rows(summary, driven),
         *(_slow_rows(summary) if driven and not summary.in_real_time else []),
         ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
@@ -335,16 +334,6 @@ def pressed_text(summary: Summary) -> str:
     checked = "" if share is None else f", {share:.3g} of its strength"
     of_units = f", {number_text(mean, 1e-6, 'MPa')} in the mean of a unit" if mean else ""
     return f"{number_text(summary.compression_max_pa, 1e-6, 'MPa')} at most in a contact{checked}{of_units}"
-
-
-def bars_text(bars: BarRecord) -> str:
-    """The greatest forces of bars, and how many of them yielded."""
-    pushed = f", {bars.least_force_n / 1e3:.4g} kN at least (bar {bars.least_of})" if bars.least_force_n < 0.0 else ""
-    yielded = f"{bars.yielded} of {bars.count} yielded, by up to {1e3 * bars.longest_plastic_m:.3g} mm"
-    return (
-        f"{bars.largest_force_n / 1e3:.4g} kN at most (bar {bars.largest_of}){pushed}; "
-        f"{yielded if bars.yielded else 'none yielded'}"
-    )
 
 
 def loads_text(summary: Summary) -> str:

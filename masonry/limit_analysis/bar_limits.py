@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 from scipy import sparse
 
+from masonry.elements.bars.bar_element import BarPlaces
 from masonry.errors import SceneError
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.statics.crushing import Crushing
 from masonry.statics.problem import RigidBodies, RigidContacts
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import centroids
+from masonry.elements.bars.bar_element import BarPlaces
 from masonry.limit_analysis.bar_limits import yielding
 from masonry.limit_analysis.positions import FactorEnvelope
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.results.joint_resultants import COLUMNS, resultants
 from masonry.scene import Scene
 from masonry.statics.problem import Solution

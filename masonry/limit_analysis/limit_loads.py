@@ -10,8 +10,8 @@ from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import bed_of, gravity_of, growing_load, pressure_of
 from masonry.assembly.masses import density_of
 from masonry.assembly.road.axle_pressure import Pressure
+from masonry.elements.bars.bar_element import BarPlaces, bars_among
 from masonry.errors import SceneError
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.layout import Layout, lay_out
 from masonry.model.loads import Conditions
 from masonry.scene import Scene
@@ -78,7 +78,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = None if load is None or load.pattern != "tilt" else dead + _along(weight, load)
-    return Loads(bodies, words, "" if together is None else "N", steady, conditions.bars)
+    return Loads(bodies, words, "" if together is None else "N", steady, bars_among(conditions.elements))
 
 
 def layout_of(specimen: Specimen) -> Layout:

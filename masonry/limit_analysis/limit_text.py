@@ -4,11 +4,11 @@ from math import inf
 
 import numpy as np
 
+from masonry.elements.bars.bar_element import BarPlaces
 from masonry.judgement.words import stress_text
 from masonry.limit_analysis.bar_limits import yielding
 from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.limit_analysis.positions import FactorEnvelope
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.runtime.tables import Rows, aligned
 
 EVERY = "none: joints that dilate balance every factor"

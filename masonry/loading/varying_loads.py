@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 
 from masonry.configuration.parts.parts import parts_of
-from masonry.kernels.point_loads import PointLoads
 from masonry.model.model import Model
 from masonry.rows.rest_criterion import LONE
 
@@ -44,10 +43,9 @@ def works_of(model: Model, moved: dict[str, np.ndarray]) -> np.ndarray:
     )
 
 
-def _at_points(model: Model) -> list[tuple[PointLoads, np.ndarray]]:
-    """Forces at points and (H, K, 3) N those of each load, where they change their moments and some of them vary."""
-    points, each = model.point_loads, model.varying_at_points
-    return [] if points is None or each is None or not model.varying else [(points, each)]
+def _at_points(model: Model) -> list[tuple[Any, np.ndarray]]:
+    """Forces of elements and (H, ...) N those of each load, where some loads vary."""
+    return [each for element in model.elements for each in element.varying()] if model.varying else []
 
 
 class SharedLoads:

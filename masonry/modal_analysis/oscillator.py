@@ -1,8 +1,9 @@
 """Masses and tangent stiffness of a scene at its undeformed state, the stiffness as a sum of squares.
 
 The elastic energy is |B u|^2 / 2: three rows of B for each contact (its jump along and across the normal, times roots
-of stiffness and area), seven for each strain of a block (its trace and deviator), and one for each bar. So no digit of
-a slow mode is lost among stiffnesses that are 10^12 times larger, and what no joint resists is told from what is soft.
+of stiffness and area), seven for each strain of a block (its trace and deviator), and one for each spring of an
+element. So no digit of a slow mode is lost among stiffnesses that are 10^12 times larger, and what no joint resists is
+told from what is soft.
 """
 
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import gravity_of
 from masonry.laws.building import factory
 from masonry.laws.state import JointProperties
-from masonry.model.bars.bar_ends import BarPlaces, ends_of
+from masonry.model.element_plan import ElementPlan, Springs
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, real_masses, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions, Load, add_gravity
@@ -40,7 +41,7 @@ class Oscillator:
     normal, shear  (C,) N/m, stiffnesses of the contacts times their areas
     properties  of each contact group      group  (C,) which one a contact belongs to
     load        (n,) N, weight and other dead loads
-    bars        that are taut: all that do not hang slack; None without any
+    elements    between points of the blocks, or beside them
     """
 
     scene: Scene
@@ -56,7 +57,7 @@ class Oscillator:
     mass: np.ndarray
     free: np.ndarray
     load: np.ndarray
-    bars: BarPlaces | None = None
+    elements: tuple[ElementPlan, ...] = ()
 
     @cached_property
     def first(self) -> dict[str, int]:
@@ -65,8 +66,8 @@ class Oscillator:
 
     @cached_property
     def strain_matrix(self) -> sparse.csr_array:
-        """(R, n) root of N/m: the matrix B of all contacts, closed, and of the strains of all blocks and of the bars
-        behind them."""
+        """(R, n) root of N/m: the matrix B of all contacts, closed, and of the strains of all blocks and of the
+        elements behind them."""
         return sparse.csr_array(sparse.vstack([self._jumps(), *self._strains(), *self._lengths()], format="csr"))
 
     def closed(self, which: np.ndarray) -> sparse.csr_array:
@@ -116,19 +117,20 @@ class Oscillator:
         return _gathered(rows, dofs, values, (PER_CONTACT * len(joints.area), len(self.mass)))
 
     def _lengths(self) -> list[sparse.csr_array]:
-        """(K, n) by how much bars become longer, times roots of N/m."""
-        ends = ends_of(self.layout, self.bars, np.ones((self.specimen.blocks.count, 3)))
-        if ends is None:
-            return []
+        """(K, n) each: by how much springs of elements become longer, times roots of N/m."""
+        each = (plan.springs(self.layout) for plan in self.elements)
+        return [self._stretches(springs) for springs in each if springs is not None]
+
+    def _stretches(self, springs: Springs) -> sparse.csr_array:
+        ends = springs.ends
         rows, dofs, values = [], [], []
         for form in np.unique(ends.side.form).tolist():
             which = np.flatnonzero(ends.side.form == form)
             own, move = self._moves(ends.side, form, which)
-            sign = np.where(ends.end[which] == 0, -1.0, 1.0) * np.sqrt(ends.stiffness[ends.bar[which]])
-            values.append(sign[:, None] * np.einsum("ni,nij->nj", ends.axis[which], move))
-            rows.append(np.broadcast_to(ends.bar[which][:, None], own.shape))
+            values.append(springs.root[which][:, None] * np.einsum("ni,nij->nj", springs.axis[which], move))
+            rows.append(np.broadcast_to(ends.force[which][:, None], own.shape))
             dofs.append(own)
-        return [_gathered(rows, dofs, values, (len(ends.stiffness), len(self.mass)))]
+        return _gathered(rows, dofs, values, (ends.total, len(self.mass)))
 
     def _moves(self, side: Side, form: int, which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The dofs (c, m) that a side of contacts moves by, and its displacement (c, 3, m) for a unit of each."""
@@ -201,7 +203,7 @@ def oscillator_of(scene: Scene) -> Oscillator:
         mass=_flat(real_masses(layout, fabric.moving_density)),
         free=~_flat(conditions.supported),
         load=_dead_load(scene, layout, conditions, density),
-        bars=None if conditions.bars is None else conditions.bars.taut,
+        elements=tuple(conditions.elements),
     )
 
 

@@ -168,10 +168,8 @@ def _say(
         )
     if oscillator.scene.scatter is not None:
         result.remarks.append("the scatter of the scene is left out: means count")
-    if oscillator.bars is not None:
-        slack = sum(bar.repeat for bar in oscillator.scene.bar if bar.slack > 0.0)
-        without = f", {slack} that hang slack left out" if slack else ""
-        result.remarks.append(f"bars are taken as taut, whatever they bear{without}: a pretension keeps them so")
+    words = [plan.words_on_modes() for plan in oscillator.elements]
+    result.remarks.extend(word for word in words if word is not None)
     if oscillator.scene.quiet:
         result.remarks.append("quiet boundaries are left out: their faces are free")
     if oscillator.scene.drive is not None:

@@ -9,8 +9,9 @@ from geometry.blocks import TetMesh
 from masonry.kinematics.affine import Affine
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.tets import Tets
-from masonry.laws.state import ContactState, JointProperties, fresh
-from masonry.model.bars.bar_ends import BarEnds
+from masonry.laws.elastic import Elastic
+from masonry.laws.state import ContactState, JointProperties, fresh, has_strength
+from masonry.model.element_plan import Ends, first_forces
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
 from masonry.model.loads import Conditions
@@ -56,7 +57,7 @@ class SideRows(NamedTuple):
     total    rows of u
     first    by kind, and "between", the first row of its points
     sides    (C, 2) rows of both sides
-    ends     (E,) rows of the ends of bars
+    ends     (E,) rows of the ends of each element
     ordered  by kind, (start, code, arm) of the sides in the order of their bodies; under "between" nodes, shape
              functions and code of the sides whose points lie between tet nodes, in order of nodes
     """
@@ -64,20 +65,19 @@ class SideRows(NamedTuple):
     total: int
     first: dict[str, int]
     sides: np.ndarray
-    ends: np.ndarray
+    ends: tuple[np.ndarray, ...]
     ordered: dict[str, tuple]
 
 
-def rows_of_sides(layout: Layout, sides: tuple[Side, Side], ends: BarEnds | None = None) -> SideRows:
-    """The rows of both sides of the contacts, and of the ends of bars."""
+def rows_of_sides(layout: Layout, sides: tuple[Side, Side], ends: Sequence[Ends | None] = ()) -> SideRows:
+    """The rows of both sides of the contacts, and of the ends of elements, None of those without any."""
     count = len(sides[0].kind)
-    every = sides if ends is None else (*sides, ends.side)
+    each = [(own, first) for own, first in zip(ends, first_forces(count, ends), strict=False) if own is not None]
+    every = (*sides, *(own.side for own, _ in each))
     kind, row, arm, axes = (
         np.concatenate([getattr(s, name) for s in every]) for name in ("form", "row", "arm", "axes")
     )
-    code = np.concatenate(
-        [2 * np.arange(count), 2 * np.arange(count) + 1, *([] if ends is None else [ends.code(count)])]
-    )
+    code = np.concatenate([2 * np.arange(count), 2 * np.arange(count) + 1, *(own.code(first) for own, first in each)])
     rigid, affine, _, between = (int(points) for points in np.bincount(kind, minlength=BETWEEN + 1))
     nodes = layout.rows("tets")
     first = {"tets": 0, "rigid": nodes, "affine": nodes + rigid, "between": nodes + rigid + affine}
@@ -99,7 +99,9 @@ def rows_of_sides(layout: Layout, sides: tuple[Side, Side], ends: BarEnds | None
         place[which[order]] = first["between"] + np.arange(len(which))
         ordered["between"] = corner[order], fraction[order], code[which[order]]
     both = aligned(place[: 2 * count].reshape(2, -1).T.astype(np.uint32))
-    return SideRows(first["between"] + between, first, both, place[2 * count :], ordered)
+    numbers = [0 if own is None else len(own.force) for own in ends]
+    of_ends = np.split(place[2 * count :], np.cumsum(numbers))[: len(ends)]
+    return SideRows(first["between"] + between, first, both, tuple(of_ends), ordered)
 
 
 def _three(side: Side, values: np.ndarray | None) -> np.ndarray:
@@ -245,3 +247,16 @@ def group_state(state: ContactState, joint: JointProperties) -> ContactState:
         plastic_slip=state.plastic_slip if dilates else None,
         crushed=state.crushed if joint.compressive_strength is not None else None,
     )
+
+
+def idle_where_dry(groups: Groups) -> Groups:
+    """The same groups, where those without strength have a law that does nothing: patches take their place."""
+    parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
+    kept = [
+        (Elastic(), JointProperties(joint.normal_stiffness, joint.shear_stiffness), ContactState())
+        if not has_strength(joint)
+        else (parameters, joint, state)
+        for parameters, joint, state in parts
+    ]
+    columns = [tuple(column) for column in zip(*kept, strict=True)] or [(), (), ()]
+    return Groups(columns[0], columns[1], columns[2], groups.bounds)

@@ -1,14 +1,14 @@
 """Drive, tractions and gravity on the dofs of the bodies; what is absent stays None."""
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra import measures
-from masonry.model.bars.bar_ends import BarPlaces
+from masonry.model.element_plan import ElementPlan
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout, node_masses
 
@@ -41,12 +41,10 @@ class Conditions:
     that vary, one entry each, by kind, at a share of 1. And by name: masks of what each support and the drive hold, and
     each dead load at a share of 1, those that vary included.
 
-    quiet   dashpots of faces at which waves leave; None without any
     motion  per kind, velocities (rows, dofs) that bodies start with, in the dofs that v has; None without any
     spin    (B, 3) rad/s along x, y, z, with which each block starts; None without any
     at_points  by load, its forces at points of rigid blocks, whose moments change as blocks move in large displacement
-    bars    between points of blocks; None without any
-    moved   per kind, (K, 3) row and number of the dofs that the ground moves, and which of its components does
+    elements  between points of blocks, or beside them
     """
 
     prescribed: dict[str, np.ndarray]
@@ -57,12 +55,9 @@ class Conditions:
     varying: list[Load] = field(default_factory=list)
     held_by: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     each_load: dict[str, Load] = field(default_factory=dict)
-    quiet: Any = None
-    bars: BarPlaces | None = None
+    elements: list[ElementPlan] = field(default_factory=list)
     motion: dict[str, np.ndarray] | None = None
     spin: np.ndarray | None = None
-    moved: dict[str, np.ndarray] = field(default_factory=dict)
-    components: int = 0
     at_points: dict[str, list[PointForce]] = field(default_factory=dict)
 
 

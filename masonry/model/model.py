@@ -6,14 +6,8 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, Joints
-from masonry.kernels.bars import Bars
-from masonry.kernels.point_loads import PointLoads
-from masonry.kernels.quiet import QuietRows
-from masonry.kernels.shaking import ROOM, MovedSupports
-from masonry.laws.elastic import Elastic
 from masonry.laws.state import ContactState, JointProperties, has_strength
 from masonry.model import stable_step
-from masonry.model.bars.bar_ends import BarPlaces, bars_of, ends_of
 from masonry.model.body_arrays import (
     Bodies,
     Contacts,
@@ -21,6 +15,7 @@ from masonry.model.body_arrays import (
     SideRows,
     bodies_of,
     group_state,
+    idle_where_dry,
     in_rows,
     initial_state,
     rows_of_sides,
@@ -35,8 +30,8 @@ from masonry.model.damping import (
     local_damping,
     price_of_dashpots,
 )
+from masonry.model.element_plan import Ends, elements_of, first_forces
 from masonry.model.kinds import dof_words
-from masonry.model.large.forces_at_points import point_loads_of
 from masonry.model.large.meeting import (
     Large,
     Meetings,
@@ -48,7 +43,6 @@ from masonry.model.large.meeting import (
 from masonry.model.layout import DOFS, KINDS, Layout, Material, real_masses
 from masonry.model.loads import Conditions
 from masonry.model.phase_sums import Outline, PhaseSums, Stiffness, sums_of_phases
-from masonry.model.quiet_faces import quiet_rows
 from masonry.model.step_cost import StepCost, step_cost
 from masonry.patches.branches import NO_DASHPOTS, Dashpots, dashpots_of
 from masonry.simd.rows import aligned
@@ -71,15 +65,14 @@ class Stepping:
 class Model:
     """All that a step reads and writes. See kernels/step.py for the meaning of groups, contacts, bodies, drives.
 
-    u      displacements (m) of tet nodes, then of contact points
+    u      displacements (m) of tet nodes, then of contact points and of ends of elements
+    force  (C + K, 3) N of the contacts, and behind them of elements
     swept  contact groups whose law the step calls
     alive  (C,) which contacts hold; patches take the place of those that do not
     large  what there is besides in large displacement; configuration/configuration.py asks whether there is
     damping  of bodies, now; phases: before and after the end of the settling, None where it stays
     dashpots  in closed contacts from then on, None without any; acting: those that act now
-    point_loads  forces at points of rigid blocks whose moments change as these move, None without any;
-    varying_at_points: (H, K, 3) N of them, of each load that varies, at a factor of 1
-    bars  between points of blocks, and what columns of results show the force of which; None without any
+    elements  between points of blocks, or beside them: `masonry.elements.element` says what they answer
     parts  what configuration/parts/parts.py keeps here: how the bodies move, for as long as they are these bodies
     configuration  what configuration/configuration.py keeps here: what answers for its displacements
     """
@@ -102,6 +95,7 @@ class Model:
     limited_by: str
     cost: StepCost | None
     u: np.ndarray
+    force: np.ndarray
     swept: tuple[int, ...]
     alive: np.ndarray
     varying: list[dict[str, np.ndarray | None]]
@@ -109,14 +103,9 @@ class Model:
     large: Large | None = None
     motion: dict[str, np.ndarray] | None = None
     phases: Phases | None = None
-    moved_supports: MovedSupports | None = None
     dashpots: Dashpots | None = None
     acting: Dashpots = NO_DASHPOTS
-    quiet: tuple[QuietRows | None, ...] | None = None
-    point_loads: PointLoads | None = None
-    varying_at_points: np.ndarray | None = None
-    bars: Bars | None = None
-    bar_places: BarPlaces | None = None
+    elements: tuple[Any, ...] = ()
     parts: Any = field(default=None, init=False, repr=False, compare=False)
     configuration: Any = field(default=None, init=False, repr=False, compare=False)
 
@@ -178,13 +167,12 @@ def build(
     sides, length = _sides(layout, joints)
     stiffness = _stiffness([laws[name][1] for name in names], group, joints, _lame(blocks, layout, materials))
     real = real_masses(layout, _density(blocks, materials) if density is None else density)
-    ends = ends_of(layout, conditions.bars, length)
-    outline = Outline(layout, sides, length, joints.normal, ends)
-    phases = local_damping(stepping.damping), stepping.swing
-    sums = sums_of_phases(blocks, outline, stiffness, real, phases, meetings)
+    ends = [plan.ends(layout, length) for plan in conditions.elements]
+    outline = Outline(layout, sides, length, joints.normal, tuple(zip(conditions.elements, ends, strict=True)))
+    sums = sums_of_phases(blocks, outline, stiffness, real, (local_damping(stepping.damping), stepping.swing), meetings)
     masses, dt, bound, limited_by = _stepping(layout, sums, real, conditions, stepping, stiffness.normal)
     side_rows = rows_of_sides(layout, sides, ends)
-    u, force = _room(side_rows, len(group), conditions.bars)
+    u, force = _room(side_rows, len(group), ends)
     groups, state = _groups(names, group, laws)
     free = {kind: ~prescribed for kind, prescribed in conditions.prescribed.items()}
     model = Model(
@@ -206,19 +194,20 @@ def build(
         limited_by=limited_by,
         cost=step_cost(layout, sums.settling, real, free, stepping.masses == "scaled"),
         u=u,
+        force=force,
         swept=tuple(range(len(names))),
         alive=np.ones(len(group), dtype=bool),
         varying=conditions.varying,
         scaled=stepping.masses == "scaled",
         motion=conditions.motion,
         phases=_phases(stepping, dt),
-        moved_supports=_moved_supports(conditions),
         dashpots=_dashpots(stepping, dt, len(group)),
-        quiet=quiet_rows(conditions.quiet, layout, masses, conditions.prescribed, dt),
-        bars=bars_of(conditions.bars, ends, side_rows.ends, side_rows.total, force),
-        bar_places=conditions.bars,
     )
-    return model if meetings is None else with_point_loads(enlarged(model, meetings, masses), conditions)
+    rows = side_rows.ends
+    if meetings is not None:
+        model, rows = enlarged(model, meetings, masses, rows, conditions)
+    model.elements = elements_of(model, conditions, ends, rows, meetings is not None)
+    return model
 
 
 def _density(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
@@ -226,14 +215,16 @@ def _density(blocks: Blocks, materials: dict[str, Material]) -> np.ndarray:
     return np.array([materials[g].density for g in blocks.groups])[blocks.group]
 
 
-def _room(side_rows: SideRows, contacts: int, bars: BarPlaces | None) -> tuple[np.ndarray, np.ndarray]:
-    """Displacements, with a row behind them that never moves where there are bars, and forces of contacts and bars."""
-    more = (0, 0) if bars is None else (1, bars.count)
-    return in_rows(np.zeros((side_rows.total + more[0], 3))), in_rows(np.zeros((contacts + more[1], 3)))
+def _room(side_rows: SideRows, contacts: int, ends: list[Ends | None]) -> tuple[np.ndarray, np.ndarray]:
+    """Displacements, with a row behind them that never moves where elements have ends, and forces of contacts and
+    elements."""
+    rows = side_rows.total + any(own is not None for own in ends)
+    forces = first_forces(contacts, ends)[-1]
+    return in_rows(np.zeros((rows, 3))), in_rows(np.zeros((forces, 3)))
 
 
 def _contacts(side_rows: SideRows, joints: Joints, u: np.ndarray, force: np.ndarray) -> Contacts:
-    """Contacts without a force yet: their rows are the first of force (C + K, 3), those of bars follow."""
+    """Contacts without a force yet: their rows are the first of force (C + K, 3), those of elements follow."""
     own = force if len(force) == len(joints.area) else force[: len(joints.area)]
     return Contacts(side_rows.sides, aligned(joints.normal), aligned(joints.area), u, own)
 
@@ -276,14 +267,21 @@ def _groups(names: tuple[str, ...], group: np.ndarray, laws: dict[str, tuple]) -
     return Groups(tuple(laws[name][0] for name in names), properties, states, bounds), state
 
 
-def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) -> Model:
-    """The same model in large displacement; masses of motion by kind, of held blocks too.
+def enlarged(
+    model: Model,
+    meetings: Meetings,
+    masses: dict[str, np.ndarray],
+    ends: tuple[np.ndarray, ...],
+    conditions: Conditions,
+) -> tuple[Model, tuple[np.ndarray, ...]]:
+    """The same model in large displacement, and rows of u of the ends of elements, as they are then.
+
+    masses of motion by kind, of held blocks too
 
     Contacts without strength become patches.
     """
     joints, layout, count = model.joints, model.layout, len(model.group)
-    bars = model.bars
-    apart = in_rows(np.zeros((count if bars is None else len(bars.force), 3)))
+    apart = in_rows(np.zeros(model.force.shape))
     bodies = pushed(model.bodies, masses, apart)
     without = np.array([not has_strength(joint) for joint in model.groups.properties], dtype=bool)
     dry = without[model.group]
@@ -291,60 +289,31 @@ def enlarged(model: Model, meetings: Meetings, masses: dict[str, np.ndarray]) ->
     parted = in_rows(np.zeros((count + 1, 3)))
     contacts = model.contacts._replace(sides=aligned(rows), u=parted, area=aligned(np.where(dry, 0.0, joints.area)))
     bonded = np.column_stack([joints.block_a, joints.block_b])[~dry]
-    near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded, model.drives, model.moved_supports)
+    moved = [dofs for plan in conditions.elements for dofs in plan.moved()]
+    near, members = near_of(model.blocks, layout, bodies, masses, meetings, bonded, model.drives, moved)
     if near.rules.rise is not None:
         near.rules.rise[...] *= [model.dt, model.dt**2, 1.0 / model.dt]
     frames = near.motion.frame if members is None else near.motion.frame.copy()
     sides = model.contacts.sides
     if members is None:
-        bodies, bars = without_sides(bodies, bars)
+        bodies, ends = without_sides(bodies, count, ends)
     bonds = bonds_of(sides, joints, layout.centroid, frames, model.contacts.u, apart, ~dry)
-    return replace(
+    large = replace(
         model,
         contacts=contacts,
+        force=bonds.force,
         groups=idle_where_dry(model.groups),
         bodies=bodies,
         swept=tuple(np.flatnonzero(~without).tolist()),
         alive=bonds.alive,
         large=Large(bonds, parted[1:], near, members),
-        bars=None if bars is None else bars._replace(force=bonds.force),
     )
-
-
-def with_point_loads(model: Model, conditions: Conditions) -> Model:
-    """The same model, where moments of loads change as blocks of it move."""
-    points, varying = point_loads_of(model.layout, conditions)
-    if points is None:
-        return model
-    rigid = model.bodies.rigid._replace(shifted=in_rows(np.zeros(model.bodies.rigid.q.shape)))
-    bodies = model.bodies._replace(rigid=rigid)
-    return replace(model, bodies=bodies, point_loads=points, varying_at_points=varying)
-
-
-def idle_where_dry(groups: Groups) -> Groups:
-    """The same groups, where those without strength have a law that does nothing: patches take their place."""
-    parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
-    kept = [
-        (Elastic(), JointProperties(joint.normal_stiffness, joint.shear_stiffness), ContactState())
-        if not has_strength(joint)
-        else (parameters, joint, state)
-        for parameters, joint, state in parts
-    ]
-    columns = [tuple(column) for column in zip(*kept, strict=True)] or [(), (), ()]
-    return Groups(columns[0], columns[1], columns[2], groups.bounds)
+    return large, ends
 
 
 def _row_and_number(dofs: np.ndarray | None, kind: str) -> np.ndarray | None:
     """(K, 2) of flat indices of dofs."""
     return None if dofs is None else np.column_stack(np.divmod(dofs, DOFS[kind]))
-
-
-def _moved_supports(conditions: Conditions) -> MovedSupports | None:
-    """Supports that move with the ground; None where none do."""
-    if not conditions.components:
-        return None
-    dofs = tuple(conditions.moved.get(kind) for kind in KINDS)
-    return MovedSupports(dofs, np.zeros((ROOM, conditions.components)), np.zeros(1, dtype=np.int64))
 
 
 def side_of(layout: Layout, joints: Joints, which: str) -> stable_step.Side:

@@ -6,9 +6,8 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from masonry.model import stable_step
-from masonry.model.bars.bar_ends import BarEnds
-from masonry.model.bars.bar_row_sums import bar_row_sums
 from masonry.model.damping import Swing
+from masonry.model.element_plan import ElementPlan, Ends
 from masonry.model.large.block_motion import masses_behind
 from masonry.model.large.meeting import Meetings, add_row_sums, face_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
@@ -17,13 +16,13 @@ from masonry.model.stable_step import Side
 
 class Outline(NamedTuple):
     """Blocks as the bound of the step sees them: both sides of the contacts, the lengths (B, 3) m of the blocks, the
-    normals (C, 3) of the contacts, and the ends of bars, where there are any."""
+    normals (C, 3) of the contacts, and the elements with their ends that blocks hold."""
 
     layout: Layout
     sides: tuple[Side, Side]
     length: np.ndarray
     normal: np.ndarray
-    ends: BarEnds | None = None
+    elements: tuple[tuple[ElementPlan, Ends | None], ...] = ()
 
 
 class PhaseSums(NamedTuple):
@@ -68,7 +67,7 @@ def _row_sums(
     blocks: Blocks, specimen: Outline, stiffness: Stiffness, meetings: Meetings | None
 ) -> dict[str, np.ndarray]:
     """By kind, (rows, dofs) the sums of |K| that bound the time step."""
-    (normal, shear, lame), (layout, sides, length, face, ends) = stiffness, specimen
+    (normal, shear, lame), (layout, sides, length, face, elements) = stiffness, specimen
     sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
     if meetings is None:
         stable_step.contact_row_sums(sums, sides, face, normal, shear)
@@ -76,8 +75,9 @@ def _row_sums(
         stable_step.tet_row_sums(sums["tets"], layout, lame)
     else:
         add_row_sums(sums, blocks, layout, sides, length, np.maximum(normal, shear), meetings.stiffest, lame)
-    if ends is not None:
-        bar_row_sums(sums, ends, turns=meetings is not None)
+    for plan, ends in elements:
+        if ends is not None:
+            plan.add_row_sums(sums, ends, turns=meetings is not None)
     stable_step.unscale(sums, layout, length)
     return sums
 

@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from masonry.configuration.bar_forces import forces_of_fixed_ends
-from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.model.layout import KINDS
 from masonry.model.loads import Conditions, PointForce
@@ -17,10 +15,6 @@ from masonry.rows.history import Standing
 
 FORCE, MOMENT, ALL = slice(0, 3), slice(3, 6), slice(None)
 NO_SHIFT = np.zeros((0, 3)), np.zeros((0, 3))
-BARS = "bars"
-"""The name of what bars do that end in space, among supports."""
-QUIET = "quiet boundaries"
-"""The name of what the dashpots of quiet boundaries do, among supports."""
 Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 """Per kind: rows of its dofs (n,), and for each the shares or loads of its dofs (n, dofs)."""
 
@@ -53,10 +47,7 @@ class Surroundings:
             own = {kind: masks[kind] & ~taken[kind] for kind in KINDS}
             taken = {kind: taken[kind] | own[kind] for kind in KINDS}
             self.holds.append(Outer(name, _parts({kind: own[kind].astype(float) for kind in KINDS})))
-        if conditions.bars is not None and conditions.bars.ends_in_space.any():
-            self.holds.append(Outer(BARS, {}))
-        if conditions.quiet is not None:
-            self.holds.append(Outer(QUIET, {}))
+        self.holds += [Outer(plan.environment, {}) for plan in conditions.elements if plan.environment is not None]
         for name, load in conditions.each_load.items():
             varies = next((k for k, varying in enumerate(conditions.varying) if varying is load), None)
             points = tuple(conditions.at_points.get(name, ()))
@@ -74,12 +65,10 @@ class Surroundings:
         """The forces now; `before`: velocities one step earlier; force (C, 3) N of the contacts on their side a;
         `load_factors` of the loads that act."""
         parts = {part.name: part for part in parts_of(model)}
-        reactions = np.zeros((len(self.holds), 6))
+        reactions, elements = np.zeros((len(self.holds), 6)), {one.environment: one for one in model.elements}
         for k, one in enumerate(self.holds):
-            if one.name == BARS:
-                reactions[k] = forces_of_fixed_ends(model, configuration_of(model).any_size)
-            if one.name == QUIET:
-                reactions[k] = of_quiet_faces(model)
+            if not one.parts and (element := elements.get(one.name)) is not None:
+                reactions[k] = element.of_environment(parts.values())
             for kind, (rows, mask) in one.parts.items():
                 reactions[k] += parts[kind].resultant(rows, mask * parts[kind].body.hold[rows])
         loads = self.resultants(model, load_factors)
@@ -98,7 +87,7 @@ class Surroundings:
     def shifts(self, model: Model) -> list[tuple[np.ndarray, np.ndarray]]:
         """Of each load, of its forces at points at a factor of 1: moments (P, 3) N m that they have besides those at
         the start, and turns (P, 3) rad of their blocks so far."""
-        if model.point_loads is None:
+        if not any(element.shifts_moments for element in model.elements):
             return [NO_SHIFT] * len(self.loads)
         return [shift_of(model, one.points) if one.points else NO_SHIFT for one in self.loads]
 
@@ -107,11 +96,12 @@ class Surroundings:
         count = len(self.loads)
         return np.zeros(count) if axis is None else self.resultants(model, [1.0] * count)[:, axis]
 
-    def bars_along(self, model: Model, axis: int | None) -> float:
-        """N along an axis, of bars that end in space on the blocks now; 0 without an axis or without such bars."""
-        if axis is None or all(one.name != BARS for one in self.holds):
+    def elements_along(self, model: Model, axis: int | None) -> float:
+        """N along an axis, of elements that support the blocks from outside; 0 without an axis or without such ones."""
+        if axis is None:
             return 0.0
-        return float(forces_of_fixed_ends(model, configuration_of(model).any_size)[axis])
+        supports = [one for one in model.elements if one.is_support and one.environment is not None]
+        return sum((float(one.of_environment(parts_of(model))[axis]) for one in supports), start=0.0)
 
     def moved(self, model: Model) -> np.ndarray:
         """(L,) J: what each load at a factor of 1 would have done on the way to where the specimen stands."""
@@ -155,15 +145,6 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     return damping, inertia
 
 
-def of_quiet_faces(model: Model) -> np.ndarray:
-    """(6,) of the dashpots of quiet boundaries, on all dofs that are free."""
-    quiet, total = dict(zip(KINDS, model.quiet or (), strict=False)), np.zeros(6)
-    for part in parts_of(model):
-        if (rows := quiet.get(part.name)) is not None:
-            total += part.resultant(rows.row, np.where(part.free[rows.row], rows.force, 0.0))
-    return total
-
-
 class WorkOfLoads(Observer):
     """Work (J) of each load so far, by the trapezoid from row to row: exact while its factor stays as it is, and its
     moments about the centroids of rigid blocks do."""
@@ -178,7 +159,7 @@ class WorkOfLoads(Observer):
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         moved, now = self.surroundings.moved(model), np.array(view.load_factors)
-        if model.point_loads is not None:
+        if any(element.shifts_moments for element in model.elements):
             self._shift(model)
             moved = moved + self.by_shifts
         self.done = self.done + 0.5 * (now + self.load_factors) * (moved - self.moved)

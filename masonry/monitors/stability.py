@@ -161,8 +161,8 @@ def fastest(v, arm):
 
 
 def stiffest(model: Model) -> float:
-    """N/m, of the stiffest bar; 0 without bars."""
-    return 0.0 if model.bars is None else float(model.bars.stiffness.max())
+    """N/m, of the stiffest element; 0 without any."""
+    return max((element.stiffest for element in model.elements), default=0.0)
 
 
 def smallest_block(model: Model) -> float:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, TypedDict
 
 from masonry.errors import SceneError
-from masonry.results.records.bar_record import WithBars
+from masonry.results.records.element_record import WithElements
 from masonry.results.records.laboratory_record import MeasuredBeside, StandardResults
 from masonry.runtime.progress import duration
 from masonry.runtime.record import Record, list_of, one_of, table_of
@@ -370,7 +370,7 @@ class Trust(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Summary(Trust, WithBars, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
+class Summary(Trust, WithElements, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""
 
 

@@ -53,26 +53,29 @@ RATES = {"velocity": "m/s", "acceleration": "m/s2"}
 """Units of gauges that read no displacement, by what they read."""
 CRUSHING = "crushing"
 """The column (J) of a run that models crushing."""
-BAR_UNITS = {"elastic_bars": "J", "plastic_bars": "J"}
-"""Columns of a run with bars: what they store, and what their yielding took."""
+ELASTIC_BARS, PLASTIC_BARS = "elastic_bars", "plastic_bars"
+"""Columns (J) of a run with bars: what they store, and what their yielding took."""
+STORED_BY_ELEMENTS, TAKEN_BY_ELEMENTS = (ELASTIC_BARS,), (PLASTIC_BARS,)
+"""Columns (J) of all kinds of elements: what they store, and what they take for good."""
+ELEMENT_UNITS = dict.fromkeys((*STORED_BY_ELEMENTS, *TAKEN_BY_ELEMENTS), "J")
 DISSIPATED = ("fracture_mode_1", "fracture_mode_2", "friction")
 """What cracks and slip dissipate."""
-ELASTIC_BARS, PLASTIC_BARS = BAR_UNITS
 
 
 def dissipated_in(columns: Iterable[str]) -> tuple[str, ...]:
-    """The columns of what cracks, slip and, where they are modelled, crushing and bars that yield dissipate."""
-    return (*DISSIPATED, *(column for column in (CRUSHING, PLASTIC_BARS) if column in columns))
+    """The columns of what cracks, slip and, where they are modelled, crushing and elements dissipate."""
+    return (*DISSIPATED, *(column for column in (CRUSHING, *TAKEN_BY_ELEMENTS) if column in columns))
 
 
 def stored_in(terms: Mapping[str, float]) -> float:
-    """J that blocks, contacts and bars store, of the terms of a ledger."""
-    return terms["elastic_blocks"] + terms["elastic_contacts"] + terms.get(ELASTIC_BARS, 0.0)
+    """J that blocks, contacts and elements store, of the terms of a ledger."""
+    of_elements = (terms.get(column, 0.0) for column in STORED_BY_ELEMENTS)
+    return sum(of_elements, start=terms["elastic_blocks"] + terms["elastic_contacts"])
 
 
 def gauges_of(columns: Iterable[str]) -> list[str]:
     """Those of some columns that are gauges."""
-    others = {*UNITS, *LARGE_UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, EXCESS, INPUT_ENERGY, CRUSHING}
+    others = {*UNITS, *LARGE_UNITS, *ELEMENT_UNITS, TILT, FACTOR, OFF_BALANCE, EXCESS, INPUT_ENERGY, CRUSHING}
     others |= set(GROUND.values())
     return [column for column in columns if column not in others]
 
@@ -83,9 +86,15 @@ def unit_of(column: str) -> str:
     if column in GROUND.values():
         return "m/s2"
     return (
-        {TILT: "rad", FACTOR: "1", OFF_BALANCE: "1", EXCESS: "N", INPUT_ENERGY: "J", CRUSHING: "J", **BAR_UNITS}.get(
-            column
-        )
+        {
+            TILT: "rad",
+            FACTOR: "1",
+            OFF_BALANCE: "1",
+            EXCESS: "N",
+            INPUT_ENERGY: "J",
+            CRUSHING: "J",
+            **ELEMENT_UNITS,
+        }.get(column)
         or UNITS.get(column)
         or LARGE_UNITS.get(column, "m")
     )

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BaseModel, BeforeValidator, Field, WrapSerializer, model_validator
 
 from masonry.errors import did_you_mean, nearest
-from masonry.rows.columns import BAR_UNITS, EXCESS, FACTOR, GROUND, INPUT_ENERGY, OFF_BALANCE, TILT, UNITS
+from masonry.rows.columns import ELEMENT_UNITS, EXCESS, FACTOR, GROUND, INPUT_ENERGY, OFF_BALANCE, TILT, UNITS
 from masonry.scene.motion_checks import LIMITS, require_fit
 from masonry.scene.tables.contact_group import Contact, MaterialTable
 from masonry.scene.tables.dynamics.added_mass import AddedMass
@@ -291,7 +291,7 @@ class SceneData(Table):
         return self
 
     def _gauges_have_names_of_their_own(self) -> None:
-        names = [*UNITS, *BAR_UNITS, TILT, FACTOR, OFF_BALANCE, EXCESS, INPUT_ENERGY, *GROUND.values()]
+        names = [*UNITS, *ELEMENT_UNITS, TILT, FACTOR, OFF_BALANCE, EXCESS, INPUT_ENERGY, *GROUND.values()]
         named = [(f"gauge.{k}.name", gauge.name) for k, gauge in enumerate(self.gauge)]
         bars = [(f"bar.{k}.name", name) for k, bar in enumerate(self.bar) for name in bar.names]
         for where, name in (*named, *bars):

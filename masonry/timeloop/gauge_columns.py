@@ -4,16 +4,8 @@ import numpy as np
 
 from masonry.ground.uniform_ground import UniformGround
 from masonry.model.gauges import Gauge
-from masonry.model.model import Model
 from masonry.rows.accelerations import accelerations
 from masonry.rows.columns import RATES
-
-
-def forces_of_bars(model: Model) -> dict[str, float]:
-    """By column, N of the bars that have a name."""
-    if model.bars is None or model.bar_places is None:
-        return {}
-    return {name: float(model.bars.tension[bar]) for name, bar in model.bar_places.columns.items()}
 
 
 def finish_columns(

@@ -11,6 +11,7 @@ from masonry.configuration.chunk import Chunk
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.configuration.setting_off import damp, set_off
+from masonry.elements.element import readings_of
 from masonry.errors import MovedTooFar, TurnedTooFar
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
@@ -27,7 +28,7 @@ from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
 from masonry.timeloop.around_peak import AroundPeak
 from masonry.timeloop.checkpointer import Checkpointer
-from masonry.timeloop.gauge_columns import finish_columns, forces_of_bars
+from masonry.timeloop.gauge_columns import finish_columns
 from masonry.timeloop.observers import observers_of
 from masonry.timeloop.run_outcome import Outcome
 
@@ -232,25 +233,25 @@ class Loop:
             self.keep_peak(stress)
 
     def readings(self, before: list[np.ndarray]) -> dict[str, float]:
-        """By gauge what it reads, and by bar that has a name its force (N). Velocities now are the mean of those half a
-        step before and after."""
+        """By gauge what it reads, and by column what elements do. Velocities now are the mean of those half a step
+        before and after."""
         model, gauges = self.model, self.recording.gauges
         velocities = {}
         if any(gauge.quantity == "velocity" for gauge in gauges):
             parts = zip(parts_of(model), before, strict=True)
             velocities = {part.name: 0.5 * (part.velocities(old) + part.body.v) for part, old in parts}
-        return {gauge.name: gauge.look(model, velocities) for gauge in gauges} | forces_of_bars(model)
+        return {gauge.name: gauge.look(model, velocities) for gauge in gauges} | readings_of(model.elements)
 
     def drive(self, step: int, load_factors: list[float]) -> dict[str, float]:
         """Where the drive is, and what it and its support exert, in the columns of a row; dead loads along the drive,
-        and bars that end in space, count with the support. Forces that hold are added up one after the other, as the
-        step does."""
+        and elements that hold blocks from outside, count with the support. Forces that hold are added up one after the
+        other, as the step does."""
         model, area, sign = self.model, self.recording.section, self.recording.sign
         stress, support = (
             sum(float(np.cumsum(body.hold[dofs])[-1]) for body, dofs in bodies) / area * sign
             for bodies in (self.driven, self.supported)
         )
-        ends_in_space = self.recording.surroundings.bars_along(model, self.recording.axis)
+        ends_in_space = self.recording.surroundings.elements_along(model, self.recording.axis)
         support += (float(self.loads_along @ load_factors) + ends_in_space) / area * sign
         return {
             "step": step,
@@ -267,7 +268,7 @@ class Loop:
         history.rows = {key: np.array(values, dtype=float) for key, values in self.rows.items()}
         recording, settled = self.recording, self.settle * self.model.dt
         history.units = finish_columns(history.rows, recording.gauges, recording.ground, settled)
-        history.units |= dict.fromkeys(forces_of_bars(self.model), "N")
+        history.units |= dict.fromkeys(readings_of(self.model.elements), "N")
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         if (energy_in := self.outcome.observed.pop(INPUT_ENERGY, None)) is not None:
             history.rows[INPUT_ENERGY] = energy_in

@@ -64,7 +64,7 @@ def test_blocks_of_tets_hold_bars_at_their_surface():
     with pytest.raises(SceneError, match="hold bars at their surface; the nearest place there is"):
         assemble(hung(**tets))
     ends = [["20 mm", "10 mm", "50 mm"], ["20 mm", "10 mm", "1.05 m"]]
-    places = assemble(hung(**tets, **{"bar.0.ends": ends})).model.bar_places
+    places = assemble(hung(**tets, **{"bar.0.ends": ends})).model.elements[0].places
     nodes = assemble(hung(**tets, **{"bar.0.ends": ends})).mesh.nodes
     assert places.fraction[0, 0] @ nodes[places.node[0, 0]] == pytest.approx([0.02, 0.01, 0.05])
 
@@ -111,9 +111,10 @@ def test_what_a_bar_remembers_is_kept_and_put_back():
     names = {name for name in model_state.state(model) if name.startswith("bars.")}
     assert {"bars.tension", "bars.plastic", "bars.plastic_work", "bars.tightening"} < names
     saved = model_state.state(model)
-    model.bars.plastic[:] = 1.0
+    bars = model.elements[0].bars
+    bars.plastic[:] = 1.0
     model_state.restore(model, saved)
-    assert model.bars.plastic[0] == 0.0
+    assert bars.plastic[0] == 0.0
     assert not any(name.startswith("bars.") for name in model_state.state(assemble(masonry.load("couplet")).model))
 
 

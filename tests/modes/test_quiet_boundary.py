@@ -42,7 +42,7 @@ def test_an_affine_block_stops_as_its_two_equations_say():
 
 
 def test_a_face_has_the_moments_of_its_area():
-    rows = assemble(load("stack", keys("affine", [{"on": "block 1.x-"}], **BLOCK))).model.quiet[1]
+    rows = assemble(load("stack", keys("affine", [{"on": "block 1.x-"}], **BLOCK))).model.elements[0].rows[1]
     area = STACK.depth * STACK.height
     normal, shear = np.sqrt(10e9 * STACK.density), np.sqrt(5e9 * STACK.density)
     drag = rows.drag[0]
@@ -110,7 +110,7 @@ def assembled_step(scene):
 def test_the_time_step_is_that_without_and_no_quiet_boundary_is_none():
     plain = assemble(load("stack", keys("affine", []))).model
     quiet = assemble(load("stack", keys("affine", [{"on": "block 4.z+"}]))).model
-    assert plain.quiet is None and quiet.dt == plain.dt
+    assert plain.elements == () and quiet.dt == plain.dt
     slow = {"on": "block 4.z+", "density": "1e9 kg/m^3", "p_speed": "1e4 m/s"}
     stiff = keys("affine", [slow]) | {"solver.duration": "20 ms"}
     rows = result_of("stack", stiff).history.rows
@@ -121,7 +121,7 @@ def test_the_impedance_of_what_goes_on_may_be_another():
     rows = {}
     for times, more in ((1.0, {}), (3.0, {"density": "6000 kg/m^3"})):
         quiet = [{"on": "block 1.x-"} | more]
-        rows[times] = assemble(load("stack", keys("affine", quiet, **BLOCK))).model.quiet[1].drag
+        rows[times] = assemble(load("stack", keys("affine", quiet, **BLOCK))).model.elements[0].rows[1].drag
     assert np.abs(rows[3.0] - 3.0 * rows[1.0]).max() < 1e-12 * rows[3.0].max()
 
 

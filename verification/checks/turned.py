@@ -16,10 +16,11 @@ from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import selected, with_own_points
 from geometry.specimens.placed import rotation
 from masonry.assembly import assemble, conditions, gauge_places, growing_loads
+from masonry.elements.bars.bar_element import BarPlaces
+from masonry.elements.forces_at_points import ForcesAtPoints
 from masonry.limit_analysis import analysis, contact_strengths
 from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.model import loads
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.gauges import Gauge, Place, gauge
 from masonry.model.layout import Layout, lay_out
 from masonry.model.model import sort_by_group
@@ -145,7 +146,8 @@ class _Turned:
                 kind: part if moves is None or kind != "rigid" else moves for kind, part in there.motion.items()
             }
             new.spin = self.turn.mirrors * there.spin[old.order] @ self.turn.matrix.T
-        new.bars = self._bars(there.bars, old.order)
+        of_bars = [self._bars(bars, old.order) for bars in there.elements if isinstance(bars, BarPlaces)]
+        new.elements = [*of_bars, ForcesAtPoints()]
         return new
 
     def let_grow(
@@ -207,7 +209,9 @@ class _Turned:
             together=None if bodies.together is None else mask(bodies.together),
         )
         steady = None if there.steady is None else load(there.steady)
-        return replace(there, bodies=bodies, steady=steady, bars=self._bars(there.bars, order))
+        return replace(
+            there, bodies=bodies, steady=steady, bars=None if there.bars is None else self._bars(there.bars, order)
+        )
 
     def _old(self, scene: Scene) -> Scene:
         """The scene as it was, with contact points where `scene` has them."""
@@ -233,10 +237,8 @@ class _Turned:
         moments = self.turn.mirrors * np.einsum("bij,bj->bi", old.axes, rows[old.order, 3:])
         return {**load, "rigid": np.concatenate([rows[old.order, :3] @ self.turn.matrix.T, moments], axis=1)}
 
-    def _bars(self, bars: BarPlaces | None, order: np.ndarray) -> BarPlaces | None:
+    def _bars(self, bars: BarPlaces, order: np.ndarray) -> BarPlaces:
         """The same bars between the turned blocks; ends in space are turned as well."""
-        if bars is None:
-            return None
         block = np.where(bars.block < 0, -1, np.argsort(order)[bars.block])
         return replace(bars, block=block, point=bars.point @ self.turn.matrix.T)
 

@@ -6,8 +6,8 @@ from geometry.blocks import Blocks, Specimen
 from geometry.polyhedra.line_cuts import TOUCH, pieces, planes_of
 from geometry.polyhedra.measures import extent
 from masonry.detection.tet_pieces import FACES
+from masonry.elements.bars.bar_element import BarPlaces
 from masonry.errors import SceneError
-from masonry.model.bars.bar_ends import BarPlaces
 from masonry.model.large.block_motion import outer_tets
 from masonry.model.layout import Layout
 from masonry.scene import Scene
@@ -15,13 +15,11 @@ from masonry.scene import Scene
 ENDS = ("first", "second")
 
 
-def bar_places_of(scene: Scene, specimen: Specimen, layout: Layout) -> BarPlaces | None:
-    """The bars of a scene, in the order of its tables; None without any.
+def bar_places_of(scene: Scene, specimen: Specimen, layout: Layout) -> BarPlaces:
+    """The bars of a scene, in the order of its tables.
 
     Raises SceneError for an end that no block holds, or two do, or that lies inside of a block of tets.
     """
-    if not scene.bar:
-        return None
     table = np.repeat(np.arange(len(scene.bar)), [bar.repeat for bar in scene.bar])
     point = np.array([place for bar in scene.bar for place in bar.places])
     still = np.array([[bar.fixed_end == end for end in ENDS] for bar in scene.bar])[table]

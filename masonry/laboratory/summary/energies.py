@@ -6,7 +6,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory.summary.scales import Scales
 from masonry.results.summary import Energies
-from masonry.rows.columns import BAR_UNITS, CRUSHING, LARGE_UNITS, UNITS
+from masonry.rows.columns import CRUSHING, ELEMENT_UNITS, LARGE_UNITS, UNITS
 from masonry.timeloop.run_outcome import Outcome
 
 TERMS = [column for column, unit in UNITS.items() if unit == "J"]
@@ -22,7 +22,7 @@ def energies(assembly: Assembly, outcome: Outcome, scales: Scales, released: flo
         work_of_force_j=float(scales.pushed[-1]) if driven and assembly.scene.is_large else None,
         work_of_loads_j=_by_load(assembly, work_of_loads),
         work_of_loads_after_settling_j=_by_load(assembly, after_settling),
-        energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS, CRUSHING, *BAR_UNITS) if key in rows},
+        energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS, CRUSHING, *ELEMENT_UNITS) if key in rows},
         energy_imbalance=float(np.abs(rows["imbalance"]).max() / scales.moved) if scales.moved > 0 else 0.0,
         dissipation_mismatch=_mismatch(assembly, rows, scales),
         kinetic_over_internal_max=_kinetic(rows, scales),

@@ -8,7 +8,7 @@ from geometry.specimens.placed import FLOOR
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.configuration import configuration_of
 from masonry.laboratory.summary.scales import Scales
-from masonry.monitors.reactions import BARS, QUIET, balance, moved_by, open_by
+from masonry.monitors.reactions import balance, moved_by, open_by
 from masonry.results.summary import Forces
 from masonry.timeloop.run_outcome import Outcome
 
@@ -29,11 +29,8 @@ def forces(assembly: Assembly, outcome: Outcome, scales: Scales) -> Forces:
 def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """At the peak and at the end: what supports, drive and dead loads exert."""
     scene, outer = assembly.scene, assembly.recording.surroundings
-    on = {f"support.{k}": support.on for k, support in enumerate(scene.support)} | {
-        FLOOR: FLOOR,
-        BARS: "fixed ends",
-        QUIET: "their faces",
-    }
+    on: dict[str | None, str] = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
+    on |= {FLOOR: FLOOR, **{element.environment: element.on for element in assembly.model.elements}}
     if scene.drive is not None:
         on["drive"] = scene.drive.on
     holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)

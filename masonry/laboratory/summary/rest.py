@@ -8,11 +8,11 @@ from masonry.judgement.words import block_at
 from masonry.monitors.stability import smallest_block
 from masonry.results.deformation import BlockCorners
 from masonry.results.summary import Rest, Restless
-from masonry.rows.columns import ELASTIC_BARS, FACTOR
+from masonry.rows.columns import FACTOR, STORED_BY_ELEMENTS
 from masonry.rows.rest_criterion import DOUBTED
 from masonry.timeloop.run_outcome import Outcome
 
-STORED = ("elastic_blocks", "elastic_contacts", ELASTIC_BARS)
+STORED = ("elastic_blocks", "elastic_contacts", *STORED_BY_ELEMENTS)
 """Columns of what a specimen stores."""
 LOOSE = 1e-3
 """Of the smallest block: what has moved by less is not called loose."""

@@ -7,7 +7,7 @@ from masonry.laboratory.summary.description import course, description
 from masonry.laboratory.summary.energies import energies
 from masonry.laboratory.summary.extremes import extremes
 from masonry.laboratory.summary.forces import forces
-from masonry.laboratory.summary.measurements.bars_at_work import bars_at_work
+from masonry.laboratory.summary.measurements.elements_at_work import elements_at_work
 from masonry.laboratory.summary.movements import movements
 from masonry.laboratory.summary.rest import rest
 from masonry.laboratory.summary.scales import scales_of
@@ -29,7 +29,7 @@ def summarise(assembly: Assembly, outcome: Outcome) -> Summary:
         **rest(assembly, outcome),
         **cracks(assembly, outcome, scales, sudden),
         **movements(assembly, outcome),
-        **bars_at_work(assembly),
+        **elements_at_work(assembly),
     )
 
 

@@ -41,10 +41,10 @@ class CaughtFall(NamedTuple):
 
 
 class Clearances(NamedTuple):
-    """What is apart, in m; below 0 where it bears: bars, and contacts of small displacement; and all blocks, as they
+    """What is apart, in m, below 0 where it bears: elements, and contacts of small displacement; all blocks, as they
     stand."""
 
-    bars: np.ndarray
+    elements: np.ndarray
     contacts: np.ndarray
     blocks: Blocks
 
@@ -77,8 +77,8 @@ class Catching(Remembering):
         """(K,) sorted numbers of all that bears: of two blocks, and of taut bars, below 0."""
         pairs, force = self.configuration.forces_of_pairs()
         pairs = np.sort(pairs[np.any(force != 0.0, axis=1)], axis=1)
-        bars = self.model.bars
-        taut = np.zeros(0, dtype=np.int64) if bars is None else -1 - np.flatnonzero(bars.tension != 0.0)
+        bears = [element.bears() for element in self.model.elements]
+        taut = -1 - np.flatnonzero(np.concatenate([np.zeros(0, dtype=bool), *bears]))
         return np.union1d(taut, pairs @ [self.model.blocks.count, 1])
 
     def bears_anew(self) -> bool:
@@ -99,19 +99,17 @@ class Catching(Remembering):
         model_state.restore(self.model, rested)
         then = self.clearances()
         model_state.restore(self.model, copies)
-        bars, least = closings(then.bars, now.bars), APART * self.size
-        first = (1.0 + float(bars[now.bars > 0.0].min(initial=np.inf))) * travelled
+        elements, least = closings(then.elements, now.elements), APART * self.size
+        first = (1.0 + float(elements[now.elements > 0.0].min(initial=np.inf))) * travelled
         self.later = first if first <= WORTH_A_LOOK * self.travel else 0.0
         contacts = closings(then.contacts, now.contacts)[then.contacts > least]
         blocks = self.blocks_meet(then.blocks, now.blocks, times, least)
-        return bool((bars <= times).any() or (contacts <= times).any() or blocks)
+        return bool((elements <= times).any() or (contacts <= times).any() or blocks)
 
     def clearances(self) -> Clearances:
         """What is apart now."""
-        model, bars = self.model, self.model.bars
-        apart, contacts = np.zeros(0), np.zeros(0)
-        if bars is not None:
-            apart = np.where(bars.least < 0.0, -1.0, bars.slack + bars.plastic - bars.elongation - bars.tightened)
+        model, contacts = self.model, np.zeros(0)
+        apart = np.concatenate([np.zeros(0), *(element.clearance() for element in model.elements)])
         if not self.configuration.any_size:
             seen = np.zeros((4, len(model.group)))
             self.configuration.look_at_contacts(seen)

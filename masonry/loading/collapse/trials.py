@@ -115,7 +115,7 @@ class Trials(Remembering):
     @property
     def usual_travel(self) -> float:
         """m, after which what has not come to rest has fallen, where a scene does not say."""
-        slack = 0.0 if self.model.bars is None else float(self.model.bars.slack.max(initial=0.0))
+        slack = max((element.slack for element in self.model.elements), default=0.0)
         return min(max(self.settings.far * self.travels.size, self.settings.slack * slack), self.travels.size)
 
     @property

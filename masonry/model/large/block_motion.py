@@ -1,17 +1,16 @@
 """How blocks stand and move, for what they meet: the arrays of rigid bodies themselves, or gathered from all kinds."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from masonry.detection.tet_pieces import SurfaceTets, surface_tets
 from masonry.kernels.gathering import Members
-from masonry.kernels.shaking import MovedSupports
 from masonry.model.body_arrays import Bodies, whole_rows
+from masonry.model.element_plan import Dofs
 from masonry.model.kinds import KIND
 from masonry.model.layout import KINDS, Layout, tet_gradients
 from masonry.patches.arrays import BlockMotion
-
-Dofs = tuple[np.ndarray | None, ...]
-"""By kind of bodies (K, 2) row and number of some dofs, and what else is known of each; None without."""
 
 
 def outer_tets(layout: Layout) -> SurfaceTets | None:
@@ -86,18 +85,11 @@ def bodies_with(layout: Layout, dofs: Dofs, tets: SurfaceTets | None) -> np.ndar
     return np.concatenate([moved, np.isin(tets.node, np.zeros(0) if nodes is None else nodes[:, 0]).any(axis=1)])
 
 
-def apart_on_ground(
-    layout: Layout, supports: MovedSupports | None, free: np.ndarray, tets: SurfaceTets | None
-) -> np.ndarray:
+def apart_on_ground(layout: Layout, moved: Sequence[Dofs], free: np.ndarray, tets: SurfaceTets | None) -> np.ndarray:
     """(N,) whether the ground moves a body otherwise than another one that is held: by other motions, or that rests."""
-    if supports is None:
+    if not moved:
         return np.zeros(len(free), dtype=bool)
-    moved_by = np.array(
-        [
-            bodies_with(layout, tuple(None if own is None else own[own[:, 2] == k] for own in supports.dofs), tets)
-            for k in range(supports.velocity.shape[1])
-        ]
-    )
+    moved_by = np.array([bodies_with(layout, dofs, tets) for dofs in moved])
     held = moved_by[:, ~free]
     return np.asarray((held != held[:, :1]).any() & moved_by.any(axis=0))
 

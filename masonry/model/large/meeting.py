@@ -3,6 +3,7 @@
 It is made from the model of small displacement of the same scene: its dofs, masses, loads and contacts.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,15 +17,13 @@ from masonry.detection.pieces import ConvexPieces, pieces_of
 from masonry.detection.placing import turned_of
 from masonry.detection.spread import rounds_of
 from masonry.detection.tet_pieces import FACES, SurfaceTets
-from masonry.kernels.bars import Bars
 from masonry.kernels.bonds import Bonds
 from masonry.kernels.gathering import Members
-from masonry.kernels.shaking import MovedSupports
 from masonry.kinematics.rigid import Rigid
 from masonry.kinematics.turning import Turning
 from masonry.model.body_arrays import Bodies, in_rows
+from masonry.model.element_plan import Dofs
 from masonry.model.large.block_motion import (
-    Dofs,
     apart_on_ground,
     bodies_with,
     free_bodies,
@@ -199,11 +198,13 @@ def _held_globally(dt_over_mass: np.ndarray, axes: np.ndarray) -> np.ndarray:
     return pace
 
 
-def without_sides(bodies: Bodies, bars: Bars | None = None) -> tuple[Bodies, Bars | None]:
-    """Rigid bodies without the sides of contacts: patches replace them, or bonds of two blocks push as one. Bars have
-    theirs, whose displacements stand in the first rows."""
+def without_sides(
+    bodies: Bodies, contacts: int, ends: Sequence[np.ndarray] = ()
+) -> tuple[Bodies, tuple[np.ndarray, ...]]:
+    """Rigid bodies without the sides of so many contacts: patches replace them, or bonds of two blocks push as one. And
+    rows of u of the ends (E,) of each element as they are then: the first of the points."""
     body = bodies.rigid
-    keeps = body.code >> 1 >= (len(body.code) if bars is None else bars.first)
+    keeps = body.code >> 1 >= contacts
     before = np.concatenate([[0], np.cumsum(keeps)])
     body = body._replace(
         start=before[body.start].astype(body.start.dtype),
@@ -211,11 +212,8 @@ def without_sides(bodies: Bodies, bars: Bars | None = None) -> tuple[Bodies, Bar
         arm=body.arm[keeps].copy(),
         apart=None,
     )
-    if bars is not None:
-        still = bars.sides >= body.first_point + len(keeps)
-        rows = np.where(still, bars.sides, body.first_point + before[np.where(still, 0, bars.sides - body.first_point)])
-        bars = bars._replace(sides=rows.astype(np.int64))
-    return bodies._replace(rigid=body), bars
+    rows = tuple(body.first_point + before[own - body.first_point] for own in ends)
+    return bodies._replace(rigid=body), rows
 
 
 def near_of(
@@ -226,7 +224,7 @@ def near_of(
     meetings: Meetings,
     bonded: np.ndarray,
     drives: Dofs,
-    moved_supports: MovedSupports | None,
+    moved: Sequence[Dofs],
 ) -> tuple[Near, Members | None]:
     """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
 
@@ -237,7 +235,7 @@ def near_of(
     most, room = most_points(pieces) * meetings.rounds, 8 * len(pieces.body) + 64
     search = search_of(blocks, layout, bodies, masses, meetings, bonded, pieces, tets, room)
     search.moves[bodies_with(layout, drives, tets)] = True
-    search.moves[apart_on_ground(layout, moved_supports, search.free, tets)] = True
+    search.moves[apart_on_ground(layout, moved, search.free, tets)] = True
     crushed = crushed_faces(pieces, sizes_of(layout, tets)[: blocks.count]) if meetings.crushes else None
     motion, members = motion_of(layout, bodies, pieces.reach, tets)
     return Near(

@@ -7,7 +7,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 
 from masonry.errors import SceneError, did_you_mean
 from masonry.results.summary import Summary
-from masonry.rows.columns import BAR_UNITS, CRUSHING, INPUT_ENERGY, LARGE_UNITS, UNITS
+from masonry.rows.columns import CRUSHING, ELEMENT_UNITS, INPUT_ENERGY, LARGE_UNITS, UNITS
 from masonry.sweeps.planned_runs import Planned
 
 GAUGES, ENERGIES = "gauges", "energy_j"
@@ -21,7 +21,7 @@ def require_measure(measure: str, planned: Sequence[Planned]) -> None:
     no run has such a gauge."""
     scenes = (tomllib.loads(toml) for toml in dict.fromkeys(run.job.resolved for run in planned))
     gauges = list(dict.fromkeys(str(gauge["name"]) for scene in scenes for gauge in scene.get("gauge", ())))
-    entries = {GAUGES: gauges, ENERGIES: (*UNITS, *LARGE_UNITS, CRUSHING, INPUT_ENERGY, *BAR_UNITS)}
+    entries = {GAUGES: gauges, ENERGIES: (*UNITS, *LARGE_UNITS, CRUSHING, INPUT_ENERGY, *ELEMENT_UNITS)}
     if not _is_number(Summary, measure, entries):
         meant = f"shaking.gauges.{measure}.peak" if measure in gauges else measure
         hint = did_you_mean(meant, sorted(_numbers(Summary, "", entries)))

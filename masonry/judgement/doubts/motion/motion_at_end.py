@@ -9,10 +9,10 @@ from masonry.judgement.doubts.motion.settling_all_blocks import rests
 from masonry.judgement.doubts.motion.settling_block import KINETIC_BLOCK, UNBALANCED_BLOCK
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import block_at
-from masonry.rows.columns import ELASTIC_BARS
+from masonry.rows.columns import STORED_BY_ELEMENTS
 from masonry.rows.rest_criterion import DOUBTED, still_moving
 
-TERMS = ("kinetic", "elastic_blocks", "elastic_contacts", ELASTIC_BARS, "external_work")
+TERMS = ("kinetic", "elastic_blocks", "elastic_contacts", *STORED_BY_ELEMENTS, "external_work")
 
 
 def is_asked(evidence: Evidence) -> bool:

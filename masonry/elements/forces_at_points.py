@@ -1,10 +1,49 @@
 """Loads at points of rigid blocks that may turn: which of them change their moments as blocks move."""
 
+from typing import Any
+
 import numpy as np
 
-from masonry.kernels.point_loads import PointLoads
+from masonry.elements.element import Element, ElementCalls
+from masonry.kernels.point_loads import PointLoads, shifting
+from masonry.model.body_arrays import in_rows
+from masonry.model.element_plan import ElementPlan, Site
 from masonry.model.layout import Layout
 from masonry.model.loads import Conditions, PointForce
+
+
+class ForcesAtPoints(ElementPlan):
+    """The forces at points of rigid blocks among the loads of the conditions."""
+
+    def element(self, site: Site) -> "PointLoadElement | None":
+        """Where moments of loads change as blocks of it move; the rigid bodies get room for them."""
+        model = site.model
+        points, varying = point_loads_of(model.layout, site.conditions) if site.turns else (None, np.zeros(0))
+        if points is None:
+            return None
+        rigid = model.bodies.rigid._replace(shifted=in_rows(np.zeros(model.bodies.rigid.q.shape)))
+        model.bodies = model.bodies._replace(rigid=rigid)
+        return PointLoadElement(points, varying)
+
+
+class PointLoadElement(Element):
+    """Forces at points whose moments change as blocks move; of_each (H, K, 3) N those of each load that varies, at a
+    factor of 1."""
+
+    name, shifts_moments = "point_loads", True
+
+    def __init__(self, points: PointLoads, of_each: np.ndarray) -> None:
+        self.points, self.of_each = points, of_each
+
+    def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:
+        return ElementCalls(forces=(shifting(self.points, model.bodies.rigid, shared),))
+
+    def varying(self) -> list[tuple[Any, np.ndarray]]:
+        return [(self.points, self.of_each)]
+
+    def written(self) -> dict[str, np.ndarray]:
+        """Forces, which may vary."""
+        return {"load": self.points.load, "change": self.points.change}
 
 
 def matters(point: PointForce, layout: Layout, conditions: Conditions) -> bool:

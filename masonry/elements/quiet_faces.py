@@ -8,27 +8,61 @@ the leapfrog, v'(M - dt^2 K/4) v/2 + u' K u/2 with u between two steps, changes 
 velocities. It is positive where dt^2 K < 4 M, so nothing grows within the bound of the step without dashpots.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.joints.boundary import surface_nodes
 from geometry.polyhedra.measures import face_areas_normals_centroids
-from masonry.kernels.quiet import QuietRows
+from masonry.elements.element import Element, ElementCalls
+from masonry.kernels.quiet import QuietRows, absorbing, remembering
+from masonry.model.element_plan import ElementPlan, Site
 from masonry.model.kinds import KIND
 from masonry.model.layout import DOFS, KINDS, Layout
 
 
 @dataclass
-class Drag:
+class Drag(ElementPlan):
     """By kind, and by row of dofs, dashpots (n, n)."""
+
+    environment = "quiet boundaries"
 
     matrices: dict[str, dict[int, np.ndarray]] = field(default_factory=lambda: {kind: {} for kind in KINDS})
 
     def add(self, kind: str, row: int, matrix: np.ndarray) -> None:
         rows = self.matrices[kind]
         rows[row] = rows.get(row, 0.0) + matrix
+
+    def element(self, site: Site) -> "QuietElement":
+        model = site.model
+        return QuietElement(quiet_rows(self, model.layout, model.masses, site.conditions.prescribed, model.dt))
+
+
+class QuietElement(Element):
+    """Dashpots on faces of a model; rows of them by kind, None without."""
+
+    name, environment, on = "quiet", Drag.environment, "their faces"
+
+    def __init__(self, rows: tuple[QuietRows | None, ...]) -> None:
+        self.rows = rows
+
+    def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:
+        bodies = model.bodies
+        return ElementCalls(remembering(self.rows, bodies), (), absorbing(self.rows, bodies, model.dt))
+
+    def of_environment(self, parts: Iterable[Any]) -> np.ndarray:
+        """(6,) of the dashpots, on all dofs that are free."""
+        quiet, total = dict(zip(KINDS, self.rows, strict=True)), np.zeros(6)
+        for part in parts:
+            if (rows := quiet.get(part.name)) is not None:
+                total += part.resultant(rows.row, np.where(part.free[rows.row], rows.force, 0.0))
+        return total
+
+    def written(self) -> dict[str, np.ndarray]:
+        return {kind: rows.force for kind, rows in zip(KINDS, self.rows, strict=True) if rows is not None}
 
 
 def add_face(
@@ -56,11 +90,9 @@ def add_face(
 
 
 def quiet_rows(
-    drag: Drag | None, layout: Layout, masses: dict[str, np.ndarray], prescribed: dict[str, np.ndarray], dt: float
-) -> tuple[QuietRows | None, ...] | None:
-    """What a step takes of the dashpots, by kind; None without any. masses (rows, dofs) kg of motion."""
-    if drag is None:
-        return None
+    drag: Drag, layout: Layout, masses: dict[str, np.ndarray], prescribed: dict[str, np.ndarray], dt: float
+) -> tuple[QuietRows | None, ...]:
+    """What a step takes of the dashpots, by kind; None of kinds without any. masses (rows, dofs) kg of motion."""
     parts: list[QuietRows | None] = []
     for kind in KINDS:
         if not (rows := drag.matrices[kind]):

@@ -7,22 +7,24 @@ than k as it is stretched by less than its length: then k counts in all directio
 
 import numpy as np
 
-from masonry.model.bars.bar_ends import BarEnds
+from masonry.model.element_plan import Ends
 from masonry.model.kinds import KIND
 from masonry.model.large.row_sums import levers
 from masonry.model.layout import KINDS
 from masonry.model.stable_step import BETWEEN
 
 
-def bar_row_sums(sums: dict[str, np.ndarray], ends: BarEnds, turns: bool) -> None:
-    """Add the share of bars; turns: whether they turn with their ends, in large displacement."""
-    each = [(form, which, _changes(ends, form, which, turns)) for form, which in _by_form(ends)]
-    of_bar = np.zeros(len(ends.stiffness))
+def bar_row_sums(sums: dict[str, np.ndarray], ends: Ends, axis: np.ndarray, stiffness: np.ndarray, turns: bool) -> None:
+    """Add the share of bars; axis (K, 3) along them, stiffness (K,) N/m; turns: whether they turn with their ends, in
+    large displacement."""
+    along = axis[ends.force]
+    each = [(form, which, _changes(ends, along, form, which, turns)) for form, which in by_form(ends)]
+    of_bar = np.zeros(ends.total)
     for form, which, change in each:
-        np.add.at(of_bar, ends.bar[which], _whole(change, form, turns))
-    of_bar *= ends.stiffness
+        np.add.at(of_bar, ends.force[which], _whole(change, form, turns))
+    of_bar *= stiffness
     for form, which, change in each:
-        rows = change * of_bar[ends.bar[which], None]
+        rows = change * of_bar[ends.force[which], None]
         if form == BETWEEN:
             assert ends.side.corner is not None
             np.add.at(sums["tets"], ends.side.corner[which], rows.reshape(-1, 3, 3))
@@ -30,16 +32,16 @@ def bar_row_sums(sums: dict[str, np.ndarray], ends: BarEnds, turns: bool) -> Non
             np.add.at(sums[KINDS[form]], ends.side.row[which], rows)
 
 
-def _by_form(ends: BarEnds) -> list[tuple[int, np.ndarray]]:
+def by_form(ends: Ends) -> list[tuple[int, np.ndarray]]:
     """Forms of sides, and the ends of each."""
     return [(int(form), np.flatnonzero(ends.side.form == form)) for form in np.unique(ends.side.form)]
 
 
-def _changes(ends: BarEnds, form: int, which: np.ndarray, turns: bool) -> np.ndarray:
+def _changes(ends: Ends, axis: np.ndarray, form: int, which: np.ndarray, turns: bool) -> np.ndarray:
     """(n, dofs) m of the length of the bar for a unit of each dof of an end, or no less, turns and strains over the
-    length of the dof."""
+    length of the dof; axis (E, 3)."""
     if not turns:
-        return np.asarray(np.abs(np.einsum("ni,nij->nj", ends.axis[which], ends.side.columns(form, which))))
+        return np.asarray(np.abs(np.einsum("ni,nij->nj", axis[which], ends.side.columns(form, which))))
     if form == BETWEEN:
         assert ends.side.fraction is not None
         return np.repeat(ends.side.fraction[which], 3, axis=1)

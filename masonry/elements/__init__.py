@@ -1,0 +1,1 @@
+"""What stands between blocks or beside them besides contacts: each kind of element answers for itself."""
