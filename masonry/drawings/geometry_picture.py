@@ -17,7 +17,7 @@ from masonry.pictures.camera import Camera, camera_of, with_less_floor
 from masonry.pictures.faces import UNIT_EDGE, FaceDrawing
 from masonry.pictures.front import group_colours
 from masonry.pictures.hidden_surfaces import visible_pieces
-from masonry.pictures.overlays.bar_lines import bar_keys, draw_bars
+from masonry.pictures.overlays.element_lines import draw_elements, element_keys
 from masonry.pictures.style import plain, write_picture
 from masonry.runtime.named_file import require_picture
 from masonry.scene import Scene
@@ -84,14 +84,14 @@ def geometry_figure(scene: Scene, specimen: Specimen, joints: Joints, view: str 
         faces.add_piece(piece)
     faces.draw(axes)
     draw_road(axes, scene, specimen, joints, camera)
-    draw_bars(axes, scene.bar, blocks, camera, seen=pieces)
+    draw_elements(axes, scene, blocks, camera, pieces)
     for mark in listed:
         draw_mark(axes, specimen, mark, pieces, camera, size)
     words = [words for mark in listed if (words := place_of_value(mark, camera, size)) is not None]
     left_taken = any(stands_left(specimen, mark) for mark in listed)
     draw_sets(axes, specimen, pieces, camera, size, words, left_taken)
     draw_axes(axes, blocks, camera, left_taken)
-    rows = _draw_list(figure, blocks, listed, road_keys(scene), bar_keys(scene.bar))
+    rows = _draw_list(figure, blocks, listed, road_keys(scene), element_keys(scene))
     axes.margins(0.02)
     low, high = axes.dataLim.min, axes.dataLim.max
     drawn = (WIDTH - 1.2) * float((high[1] - low[1]) / (high[0] - low[0]))
@@ -108,9 +108,11 @@ def _blocks(count: int) -> str:
     return f"{count} block{'s' * (count > 1)}"
 
 
-def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark], road: list[tuple[str, str]], bars: list[Any]) -> int:
-    """Groups, and a line for each support, drive, traction, fill and vehicle, and for bars, below the picture; how many
-    rows that takes."""
+def _draw_list(
+    figure: Any, blocks: Blocks, listed: list[Mark], road: list[tuple[str, str]], elements: list[Any]
+) -> int:
+    """Groups, and a line for each support, drive, traction, fill, vehicle and element, below the picture; how many rows
+    that takes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -124,7 +126,7 @@ def _draw_list(figure: Any, blocks: Blocks, listed: list[Mark], road: list[tuple
         symbol = "^" if mark.kind == "support" else ">"
         keys.append(Line2D([], [], marker=symbol, ls="", color=COLOURS[mark.kind], label=plain(mark.words)))
     keys += [Patch(facecolor=colour, label=plain(words)) for colour, words in road]
-    keys += bars
+    keys += elements
     columns = 1 if max(len(key.get_label()) for key in keys) > 60 else 2
     figure.legend(handles=keys, loc="outside lower left", ncols=columns, frameon=False, fontsize=9)
     return -(-len(keys) // columns)

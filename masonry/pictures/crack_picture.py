@@ -14,7 +14,7 @@ from masonry.pictures.labels import key_below
 from masonry.pictures.large.moved_blocks import MovedDrawing
 from masonry.pictures.large.scale_bar import draw_scale_bar
 from masonry.pictures.oblique import SolidDrawing
-from masonry.pictures.overlays.bar_lines import bar_keys, bars_in, yielded_in
+from masonry.pictures.overlays.element_lines import element_keys_of
 from masonry.pictures.style import MEGA, MILLI, plain
 from masonry.pictures.thrust_line import ThrustLine
 from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, all_dry
@@ -230,6 +230,6 @@ def draw_keys(
     keys: list[Any] = [Patch(facecolor=c, edgecolor="#4a4640", label=name) for name, c in colours.items()]
     keys += crack_keys(scale, kinds, dry)
     keys += {line.in_a_row: line.key() for line in thrusts}.values()
-    bars = [key for drawing in drawings for key in bar_keys(bars_in(drawing.result), yielded_in(drawing.result))]
-    keys += {key.get_label(): key for key in bars}.values()
+    elements = [key for drawing in drawings for key in element_keys_of(drawing.result)]
+    keys += {key.get_label(): key for key in elements}.values()
     key_below(figure, keys)

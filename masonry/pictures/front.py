@@ -12,7 +12,7 @@ from masonry.pictures.crack_lines import CrackLines, Outlines, crack_lines, outl
 from masonry.pictures.crack_style import draw_cracks
 from masonry.pictures.drawing import Drawing
 from masonry.pictures.overlays.axle_arrows import draw_axles_of
-from masonry.pictures.overlays.bar_lines import draw_bars_of
+from masonry.pictures.overlays.element_lines import draw_elements_of
 from masonry.pictures.thrust_line import thrust_line
 from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, as_it_stands, moved_undamaged
 from masonry.rows.history import Frame
@@ -45,7 +45,7 @@ class FlatDrawing(Drawing):
         blocks = self.result.specimen.blocks
         _draw_blocks(axes, blocks, self.outlines, self.camera.project(blocks.points + times * frame.corners))
         draw_cracks(axes, self.result, cracks, frame, self.camera, times, scale)
-        draw_bars_of(axes, self.result, frame, self.camera, times)
+        draw_elements_of(axes, self.result, frame, self.camera, times)
         draw_axles_of(axes, self.result, frame, self.camera)
         if self.thrust is not None:
             self.thrust.draw(axes, self.camera.project(self.forces_at(frame, times)))

@@ -19,7 +19,7 @@ from masonry.pictures.drawing import Drawing
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, visible_pieces
 from masonry.pictures.overlays.axle_arrows import draw_axles_of
-from masonry.pictures.overlays.bar_lines import draw_bars_of
+from masonry.pictures.overlays.element_lines import draw_elements_of
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.results.dry_joints import LEAST_DAMAGE, NARROW, as_it_stands, crushed, moved_undamaged
 from masonry.rows.history import Frame
@@ -81,7 +81,7 @@ class FacesDrawing(Drawing):
             for line in lines.get(number, ()):
                 faces.add_line(*line)
         faces.draw(axes)
-        draw_bars_of(axes, self.result, frame, self.camera, times, pieces)
+        draw_elements_of(axes, self.result, frame, self.camera, times, pieces)
         draw_axles_of(axes, self.result, frame, self.camera)
         self.draw_thrust(axes, frame, times, pieces)
 

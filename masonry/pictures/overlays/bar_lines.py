@@ -12,6 +12,7 @@ from masonry.pictures.camera import Camera
 from masonry.pictures.hidden_surfaces import Piece, behind
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
+from masonry.scene import Scene
 from masonry.scene.tables.specimens.bar import BarTable
 
 if TYPE_CHECKING:
@@ -85,8 +86,13 @@ def stretches(row: np.ndarray) -> list[tuple[int, int]]:
     return list(zip(change[::2].tolist(), change[1::2].tolist(), strict=True))
 
 
-def draw_bars_of(
-    axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float, seen: list[Piece] | None = None
+def draw_in_scene(axes: Any, scene: Scene, blocks: Blocks, camera: Camera, seen: list[Piece]) -> None:
+    """Those of a scene."""
+    draw_bars(axes, scene.bar, blocks, camera, seen=seen)
+
+
+def draw_in_run(
+    axes: Any, result: "ResultData", frame: Frame, camera: Camera, times: float, seen: list[Piece] | None
 ) -> None:
     """Those of a run where they are in a frame, displacements `times` larger."""
     if not (bars := bars_in(result)):
@@ -121,3 +127,13 @@ def bar_keys(bars: Sequence[BarTable], yielded: np.ndarray | None = None) -> lis
     words = [(ELASTIC, "bar"), (YIELDED, "bar that yielded")]
     drawn = [word for word, number in zip(words, (count - many, many), strict=True) if number]
     return [Line2D([], [], color=colour, lw=1.6, marker="s", ms=4.0, label=label) for colour, label in drawn]
+
+
+def keys_of_scene(scene: Scene) -> list[Any]:
+    """Entries of a key of those of a scene."""
+    return bar_keys(scene.bar)
+
+
+def keys_of_run(result: "ResultData") -> list[Any]:
+    """Entries of a key of those of a run."""
+    return bar_keys(bars_in(result), yielded_in(result))
