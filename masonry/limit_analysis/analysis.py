@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.bar_limits import with_bars
+from masonry.limit_analysis.bar_limits import limit_elements, with_elements
 from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, mean_stiffness, touching
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
@@ -98,9 +98,10 @@ def analyse(
     envelope = None if wishes.safety else _envelope(scene, specimen, joints, contacts, method)
     scene = scene if envelope is None else envelope.standing(scene)
     loads = loads_of(scene, specimen, joints, alone)
-    contacts = with_bars(contacts, loads.bars, loads.bodies, mean_stiffness(scene, specimen, joints))
+    elements = limit_elements(loads.elements)
+    contacts = with_elements(contacts, elements, loads.bodies, mean_stiffness(scene, specimen, joints))
     result = LimitResult(scene, specimen, joints, words=loads.words, unit=loads.unit, envelope=envelope)
-    result.bars = loads.bars
+    result.elements = elements
     if envelope is not None and not wishes.dilation:
         result.remarks.append("the worst position is the one where joints dilate; others may be worse without")
     result.method = method_word(loads.bodies, contacts, method, cones=not wishes.dilation)
@@ -134,7 +135,8 @@ def _envelope(
         return None
     loads = loads_of(scene, specimen, joints, dead_alone=True)
     bodies = loads.bodies
-    contacts = with_bars(contacts, loads.bars, bodies, mean_stiffness(scene, specimen, joints))
+    elements = limit_elements(loads.elements)
+    contacts = with_elements(contacts, elements, bodies, mean_stiffness(scene, specimen, joints))
     _require_standing(specimen, bodies, contacts, method)
     return envelope_of(scene, specimen, joints, bodies, contacts, method)
 

@@ -1,12 +1,20 @@
 """Bars in a limit analysis: forces of any size up to what they bear, in both of their ends."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy import sparse
 
+from geometry.blocks import Blocks
 from masonry.elements.bars.bar_element import BarPlaces
 from masonry.errors import SceneError
+from masonry.model.element_plan import ElementPlan
+from masonry.pictures.camera import Camera
+from masonry.pictures.hidden_surfaces import Piece
+from masonry.pictures.overlays.bar_lines import Moves, draw_bars
+from masonry.scene import Scene
 from masonry.statics.crushing import Crushing
 from masonry.statics.problem import RigidBodies, RigidContacts
 
@@ -14,14 +22,65 @@ YIELDS = 1.0 - 1e-6
 """Share of what a bar bears from which it counts as yielding."""
 
 
-def with_bars(contacts: RigidContacts, bars: BarPlaces | None, bodies: RigidBodies, stiffness: float) -> RigidContacts:
+@dataclass
+class LimitBars:
+    """Bars of a limit analysis, and the force (K,) N of each, above 0 where it pulls."""
+
+    places: BarPlaces
+    force: np.ndarray
+    name = "bars"
+    on_slack = "; bars bear at once, whatever their slack"
+    """What is assumed where `bears_in_slack`."""
+
+    @property
+    def yielding(self) -> np.ndarray:
+        """(K,) which bars bear all that they can."""
+        return yielding(self.places, self.force)
+
+    def bears_in_slack(self, least: float) -> bool:
+        """Whether bars bear more than the least force (N) that have slack to take up first."""
+        return bool((np.abs(self.force)[self.places.slack > 0.0] > least).any())
+
+    def as_data(self) -> dict[str, Any]:
+        """For JSON, in SI."""
+        return {"force": self.force.tolist(), "unit": "N", "yielding": np.flatnonzero(self.yielding).tolist()}
+
+    @property
+    def words(self) -> str:
+        """The greatest force of any, and how many yield."""
+        bars, most = self.places, int(np.argmax(np.abs(self.force)))
+        where = ", ".join(f"{x:.4g}" for x in bars.point[most, 0])
+        count = int(self.yielding.sum())
+        yields = "none yields" if not count else f"{count} of {bars.count} yield" if bars.count > 1 else "it yields"
+        return f"the greatest force is {self.force[most] / 1e3:.4g} kN, of bar {most} from ({where}) m; {yields}"
+
+    def draw(
+        self, axes: Any, scene: Scene, blocks: Blocks, camera: Camera, moves: Moves | None, seen: list[Piece]
+    ) -> None:
+        """Over the blocks of a picture."""
+        draw_bars(axes, scene.bar, blocks, camera, moves, self.yielding, seen)
+
+
+def limit_elements(plans: Sequence[ElementPlan]) -> list[LimitBars]:
+    """Those of a scene that bear in a limit analysis, without force yet."""
+    return [LimitBars(one, np.zeros(one.count)) for one in plans if isinstance(one, BarPlaces)]
+
+
+def with_elements(
+    contacts: RigidContacts, elements: Sequence[LimitBars], bodies: RigidBodies, stiffness: float
+) -> RigidContacts:
+    """The contacts, and behind them all elements; stiffness: Pa/m of the joints."""
+    for element in elements:
+        contacts = with_bars(contacts, element.places, bodies, stiffness)
+    return contacts
+
+
+def with_bars(contacts: RigidContacts, bars: BarPlaces, bodies: RigidBodies, stiffness: float) -> RigidContacts:
     """The contacts, and behind them bars: a force along a line does the same wherever on it it acts.
 
     An end that stays in space is taken as one of a block that is held. Raises SceneError where there is none.
     stiffness: Pa/m of the joints; a bar has the area of a joint that is as stiff as it is.
     """
-    if bars is None:
-        return contacts
     count, block = bars.count, bars.block.copy()
     if (block < 0).any():
         still = np.flatnonzero(~bodies.free.any(axis=1))

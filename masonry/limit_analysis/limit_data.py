@@ -8,8 +8,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import centroids
-from masonry.elements.bars.bar_element import BarPlaces
-from masonry.limit_analysis.bar_limits import yielding
+from masonry.limit_analysis.bar_limits import LimitBars
 from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.results.joint_resultants import COLUMNS, resultants
 from masonry.scene import Scene
@@ -34,7 +33,7 @@ class LimitData:
     velocity      (B, 6) of the mechanism: m/s and rad/s at the centres of the blocks, times any number
     envelope      of a vehicle that travels: its factors over its positions; the rest is of the least
     normal, shear (C,) and (C, 3) N at each contact point of `joints`, what block a does to block b; above 0 it presses
-    bars          of the scene, None without any; bar_force (K,) N of each, above 0 it pulls
+    elements      of the scene, with what each bears
     """
 
     scene: Scene
@@ -63,8 +62,7 @@ class LimitData:
     open: float | None = None
     seconds: float = 0.0
     envelope: FactorEnvelope | None = None
-    bars: BarPlaces | None = None
-    bar_force: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    elements: list[LimitBars] = field(default_factory=list)
 
     def take(self, solution: Solution) -> None:
         """What an optimisation found."""
@@ -72,7 +70,9 @@ class LimitData:
         self.worst = solution.worst
         count = len(self.joints.area)
         self.velocity, self.normal, self.shear = solution.velocity, solution.normal[:count], solution.shear[:count]
-        self.bar_force = solution.normal[count:]
+        for element in self.elements:
+            first, count = count, count + element.places.count
+            element.force = solution.normal[first:count]
 
     @property
     def title(self) -> str:
@@ -139,9 +139,7 @@ class LimitData:
             },
             "thrust": {"units": COLUMNS, **thrust},
         }
-        if self.bars is not None:
-            yields = np.flatnonzero(yielding(self.bars, self.bar_force)).tolist()
-            content |= {"bars": {"force": self.bar_force.tolist(), "unit": "N", "yielding": yields}}
+        content |= {element.name: element.as_data() for element in self.elements}
         if self.with_dilation is not None:
             content |= {"with_dilation": _plain(self.with_dilation)}
         if self.steps is not None:

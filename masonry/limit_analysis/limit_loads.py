@@ -10,8 +10,8 @@ from masonry.assembly.conditions import conditions_of
 from masonry.assembly.growing_loads import bed_of, gravity_of, growing_load, pressure_of
 from masonry.assembly.masses import density_of
 from masonry.assembly.road.axle_pressure import Pressure
-from masonry.elements.bars.bar_element import BarPlaces, bars_among
 from masonry.errors import SceneError
+from masonry.model.element_plan import ElementPlan
 from masonry.model.layout import Layout, lay_out
 from masonry.model.loads import Conditions
 from masonry.scene import Scene
@@ -26,14 +26,14 @@ class Loads:
     """bodies, with dead and live loads; words: what the factor multiplies; unit: of the factor, "" for a plain number.
 
     steady  (B, 6) the dead loads that do not turn where gravity is tilted; None where nothing is
-    bars    between the bodies; None without any
+    elements  between the bodies
     """
 
     bodies: RigidBodies
     words: str
     unit: str = ""
     steady: np.ndarray | None = None
-    bars: BarPlaces | None = None
+    elements: tuple[ElementPlan, ...] = ()
 
     def at(self, factor: float) -> RigidBodies:
         """The bodies with all that acts on them at a factor as dead load; a tilt leaves gravity its size."""
@@ -78,7 +78,7 @@ def loads_of(scene: Scene, specimen: Specimen, joints: Joints, dead_alone: bool 
     if not dead_alone and not (live[free] != 0.0).any():
         raise SceneError(f"nothing loads this: {words} acts on no block that can move; {PATTERNS}")
     steady = None if load is None or load.pattern != "tilt" else dead + _along(weight, load)
-    return Loads(bodies, words, "" if together is None else "N", steady, bars_among(conditions.elements))
+    return Loads(bodies, words, "" if together is None else "N", steady, tuple(conditions.elements))
 
 
 def layout_of(specimen: Specimen) -> Layout:

@@ -4,9 +4,7 @@ from math import inf
 
 import numpy as np
 
-from masonry.elements.bars.bar_element import BarPlaces
 from masonry.judgement.words import stress_text
-from masonry.limit_analysis.bar_limits import yielding
 from masonry.limit_analysis.limit_data import LimitData, set_of
 from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.runtime.tables import Rows, aligned
@@ -54,8 +52,7 @@ def result_text(result: LimitData) -> str:
         ),
         ("mechanism", [f"{moving} of {result.specimen.blocks.count} blocks move" + _fastest(result)]),
     ]
-    if result.bars is not None:
-        rows.append(("bars", [_bars(result.bars, result.bar_force)]))
+    rows += [(element.name, [element.words]) for element in result.elements]
     if result.remarks:
         rows.append(("mind", result.remarks))
     return aligned(rows)
@@ -73,15 +70,6 @@ def factor_words(result: LimitData) -> str:
     if result.unit == "N":
         return stress_text(result.factor / result.specimen.section, result.specimen.section)
     return f"{result.factor:.6g} {result.unit}".rstrip()
-
-
-def _bars(bars: BarPlaces, force: np.ndarray) -> str:
-    """The greatest force of any, and how many yield."""
-    most = int(np.argmax(np.abs(force)))
-    where = ", ".join(f"{x:.4g}" for x in bars.point[most, 0])
-    count = int(yielding(bars, force).sum())
-    yields = "none yields" if not count else f"{count} of {bars.count} yield" if bars.count > 1 else "it yields"
-    return f"the greatest force is {force[most] / 1e3:.4g} kN, of bar {most} from ({where}) m; {yields}"
 
 
 def _angle(result: LimitData) -> str:

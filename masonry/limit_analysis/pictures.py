@@ -7,13 +7,11 @@ import numpy as np
 
 from geometry.blocks import Joints
 from masonry.drawings.road_drawing import draw_road
-from masonry.limit_analysis.bar_limits import yielding
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_text import factor_words, head_of
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
 from masonry.pictures.hidden_surfaces import Piece, behind_others, visible_pieces
-from masonry.pictures.overlays.bar_lines import draw_bars
 from masonry.pictures.style import plain
 from masonry.pictures.thrust_line import COLOUR, ROW, row_of
 from masonry.results.joint_resultants import UnitJoints, unit_joints
@@ -59,7 +57,8 @@ def mechanism_figure(result: LimitData, view: str | None = None) -> Any:
     faces.draw(axes)
     moves = lambda block, points: times * result.velocity_at(block, points)  # noqa: E731
     draw_road(axes, result.scene, result.specimen, result.joints, camera, moves)
-    draw_bars(axes, result.scene.bar, blocks, camera, moves, _yielding(result), pieces)
+    for element in result.elements:
+        element.draw(axes, result.scene, blocks, camera, moves, pieces)
     return _fitted(figure, axes)
 
 
@@ -84,7 +83,8 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     figure, axes = _figure(result, f"thrust at {_factor(result)}: the largest is {largest * 1e-3:.4g} kN")
     faces.draw(axes)
     draw_road(axes, result.scene, result.specimen, result.joints, camera)
-    draw_bars(axes, result.scene.bar, blocks, camera, None, _yielding(result), pieces)
+    for element in result.elements:
+        element.draw(axes, result.scene, blocks, camera, None, pieces)
     shown = size > LEAST * largest
     if not camera.along_an_axis:
         shown &= ~behind_others(place, between.units, pieces, blocks, camera)
@@ -98,11 +98,6 @@ def thrust_figure(result: LimitData, view: str | None = None) -> Any:
     if row is not None and len(row) >= ROW and not outside.any():
         axes.plot(*camera.project(place[row]).T, "--", color=COLOUR, lw=0.9, zorder=4.0)
     return _fitted(figure, axes)
-
-
-def _yielding(result: LimitData) -> np.ndarray | None:
-    """(K,) which bars bear all that they can; None without bars."""
-    return None if result.bars is None else yielding(result.bars, result.bar_force)
 
 
 def _middles(joints: Joints, between: UnitJoints) -> np.ndarray:

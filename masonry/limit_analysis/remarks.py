@@ -13,7 +13,6 @@ from masonry.statics.solve import Method
 
 RIGID = "rigid blocks, and joints that dilate by their friction angle as they slide"
 LASTS = "; cohesion and tension last however far a crack opens"
-TAUT = "; bars bear at once, whatever their slack"
 FLAT = "rigid blocks, and joints that slide without dilating"
 GREATEST = "the greatest under these assumptions; where they do not hold, it may fall earlier"
 PYRAMIDS = "within pyramids in place of friction cones; where the assumptions do not hold, it may fall earlier"
@@ -84,13 +83,10 @@ def say_of_sliding(
 
 
 def say_of_slack(result: LimitData) -> None:
-    """A word among the assumptions where bars bear a force that have slack to take up first."""
-    if result.bars is None:
-        return
-    force = np.abs(result.bar_force)
-    least = CLOSED * max(force.max(initial=0.0), np.abs(result.normal).max(initial=0.0))
-    if (force[result.bars.slack > 0.0] > least).any():
-        result.assumed += TAUT
+    """A word among the assumptions where elements bear a force that have slack to take up first."""
+    forces = [result.normal, *(element.force for element in result.elements)]
+    least = CLOSED * float(np.abs(np.concatenate(forces)).max(initial=0.0))
+    result.assumed += "".join(one.on_slack for one in result.elements if one.bears_in_slack(least))
 
 
 def say_of_jams(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:

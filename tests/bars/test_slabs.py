@@ -70,4 +70,4 @@ def test_a_scene_without_slabs_says_nothing_of_them():
 def test_a_house_with_a_floor_bears_less_than_limit_analysis_with_dilation():
     limit = masonry.limit("house-tilted")
     assert limit.factor == pytest.approx(0.554688, rel=1e-5)
-    assert limit.bar_force.max() == pytest.approx(2879.0, rel=1e-3)
+    assert limit.elements[0].force.max() == pytest.approx(2879.0, rel=1e-3)

@@ -209,9 +209,8 @@ class _Turned:
             together=None if bodies.together is None else mask(bodies.together),
         )
         steady = None if there.steady is None else load(there.steady)
-        return replace(
-            there, bodies=bodies, steady=steady, bars=None if there.bars is None else self._bars(there.bars, order)
-        )
+        elements = tuple(self._bars(bars, order) for bars in there.elements if isinstance(bars, BarPlaces))
+        return replace(there, bodies=bodies, steady=steady, elements=elements)
 
     def _old(self, scene: Scene) -> Scene:
         """The scene as it was, with contact points where `scene` has them."""

@@ -1,6 +1,6 @@
 """Bars between points of blocks, before and after a model is made: their ends are sides of contacts of their own."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
@@ -217,8 +217,3 @@ class BarElement(Element):
 
     def constants(self) -> tuple[Any, ...]:
         return self.bars
-
-
-def bars_among(elements: Sequence[ElementPlan]) -> BarPlaces | None:
-    """The bars among some elements; None without any."""
-    return next((one for one in elements if isinstance(one, BarPlaces)), None)

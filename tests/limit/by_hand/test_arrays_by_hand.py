@@ -147,7 +147,7 @@ def test_a_skew_tie_holds_a_block_that_would_topple():
     force, arm = 500.0, (0.5 + 0.9) / np.sqrt(2.0)
     weight = 3000.0
     assert result.factor == pytest.approx((weight * 0.25 + force * arm) / (weight * 0.5), rel=1e-6)
-    assert result.bar_force == pytest.approx([force]) and yielding(result.bars, result.bar_force).all()
+    assert result.elements[0].force == pytest.approx([force]) and result.elements[0].yielding.all()
 
 
 def test_loads_on_a_skew_block_act_about_the_axes_of_space():

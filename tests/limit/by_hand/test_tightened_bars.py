@@ -41,7 +41,7 @@ def test_an_upright_bar_presses_the_bed_by_what_its_ends_leave_of_its_pretension
     result = masonry.limit(anchored(pretension, SIDEWAYS, modulus=modulus), dilation=False)
     pulls = max(left_of(pretension, stiffness), 0.0)
     assert result.factor == pytest.approx(FRICTION * (1.0 + pulls / WEIGHT), rel=2e-5)
-    assert result.bar_force[0] == pytest.approx(pulls, abs=1e-2)
+    assert result.elements[0].force[0] == pytest.approx(pulls, abs=1e-2)
     assert result.with_dilation == np.inf, "a block that rises as it slides stretches its bar without end"
 
 
@@ -53,7 +53,7 @@ def test_a_bar_that_leans_holds_and_presses_until_it_yields():
     result = masonry.limit(scene.with_({"bar.0.strength": "9 MPa"}), dilation=False)
     down, back = np.array([1.0, 0.5]) / np.hypot(1.0, 0.5)
     assert result.factor == pytest.approx(FRICTION + 900.0 * (FRICTION * down + back) / WEIGHT, rel=1e-4)
-    assert result.bar_force[0] == pytest.approx(900.0, rel=1e-6)
+    assert result.elements[0].force[0] == pytest.approx(900.0, rel=1e-6)
 
 
 def test_a_run_bears_the_same():
@@ -87,7 +87,7 @@ def test_a_tilt_with_bars_ends_at_the_angle_by_hand(pretension):
     cosine = np.cos(np.arctan(result.factor))
     pulls = max(left_of(pretension, 2e6, WEIGHT * cosine), 0.0)
     assert result.factor == pytest.approx(angle(0.0, pulls), rel=2e-4)
-    assert result.bar_force[0] == pytest.approx(pulls, abs=0.2), "in newtons at the angle itself"
+    assert result.elements[0].force[0] == pytest.approx(pulls, abs=0.2), "in newtons at the angle itself"
 
 
 def test_a_tilt_with_cohesion_ends_where_it_does_with_dilation():
