@@ -153,6 +153,29 @@ def dialect(source: Source) -> int:
     return len(places)
 
 
+def naming_bars(source: Source) -> list[str]:
+    """`file:line` of each line of `masonry` that names a class, a room, a field or a column of bars."""
+    names = r"Bar(Table|Places|Element|Record)\b|Bars\b|_BARS\b|is_bar\b|\.bars?\b(?!\()|\bbars="
+    rooms = r"(elements|kernels|assembly)\.bars|bar_(element|places|lines|row|ends|limits)"
+    return lines_that_match(source, rf"^(?!\s*\"\"\").*({names}|{rooms})")
+
+
+def fields_of(source: Source, name: str) -> int:
+    """How many fields a class of `masonry` declares, or how many fields, methods and properties a protocol."""
+    classes = (
+        node
+        for _, tree in source.of("masonry")
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ClassDef) and node.name == name
+    )
+    return sum(
+        isinstance(part, ast.AnnAssign)
+        or (isinstance(part, ast.FunctionDef) and any(getattr(base, "id", "") == "Protocol" for base in node.bases))
+        for node in classes
+        for part in node.body
+    )
+
+
 def _files(places: list[str]) -> int:
     return len({place.partition(":")[0] for place in places})
 
@@ -172,6 +195,10 @@ COUNTS: dict[str, Callable[[Source], int]] = {
         len(lines_that_match(s, r"\bfound\b", package)) for package in (*PRODUCT, "tests")
     ),
     "lines that name something by a participle alone": dialect,
+    "lines of masonry that ask whether there are bars": lambda s: len(lines_that_match(s, r"\bbars is (not )?None")),
+    "files of masonry that name bars": lambda s: _files(naming_bars(s)),
+    "fields of a model": lambda s: fields_of(s, "Model"),
+    "members of a configuration": lambda s: fields_of(s, "Configuration"),
 }
 """What is counted: in words, and how."""
 

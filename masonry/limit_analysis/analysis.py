@@ -8,8 +8,8 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
-from masonry.limit_analysis.bar_limits import limit_elements, with_elements
 from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, mean_stiffness, touching
+from masonry.limit_analysis.element_limits import limit_elements, with_elements
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
 from masonry.limit_analysis.limit_result import LimitResult

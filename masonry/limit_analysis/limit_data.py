@@ -8,7 +8,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.measures import centroids
-from masonry.limit_analysis.bar_limits import LimitBars
+from masonry.limit_analysis.element_limits import LimitElement
 from masonry.limit_analysis.positions import FactorEnvelope
 from masonry.results.joint_resultants import COLUMNS, resultants
 from masonry.scene import Scene
@@ -62,7 +62,7 @@ class LimitData:
     open: float | None = None
     seconds: float = 0.0
     envelope: FactorEnvelope | None = None
-    elements: list[LimitBars] = field(default_factory=list)
+    elements: list[LimitElement] = field(default_factory=list)
 
     def take(self, solution: Solution) -> None:
         """What an optimisation found."""
@@ -71,7 +71,7 @@ class LimitData:
         count = len(self.joints.area)
         self.velocity, self.normal, self.shear = solution.velocity, solution.normal[:count], solution.shear[:count]
         for element in self.elements:
-            first, count = count, count + element.places.count
+            first, count = count, count + len(element.force)
             element.force = solution.normal[first:count]
 
     @property

@@ -28,7 +28,7 @@ USELESS = 0.01
 
 def say_what_it_is(result: LimitData, contacts: RigidContacts, method_word: str, dilation: bool) -> None:
     """The assumptions first, and what kind of number stands under them."""
-    plastic = bool(contacts.cohesion.any() or contacts.tension[np.isfinite(contacts.tension) & ~contacts.is_bar].any())
+    plastic = bool(contacts.cohesion.any() or contacts.tension[np.isfinite(contacts.tension) & ~contacts.is_link].any())
     result.assumed = (RIGID if dilation else FLAT) + (LASTS if plastic else "")
     exact = PYRAMIDS if "pyramids" in method_word else GREATEST
     result.bound = NO_BOUND if not dilation else PLASTIC if plastic else exact
@@ -55,7 +55,7 @@ def scene_remarks(
         remarks.append("without cohesion and tension, with the friction that is left once they are gone")
     crushing = {} if crushes else crushing_strengths(scene, specimen, joints)
     if crushing:
-        pulls = contacts.tension[~contacts.is_bar & np.isfinite(contacts.tension)].any()
+        pulls = contacts.tension[~contacts.is_link & np.isfinite(contacts.tension)].any()
         more = " with --no-strength" * bool(pulls and strength) + f", without {other}" * bool(other)
         remarks.append(
             f"joints of {', '.join(crushing)} crush in a run, and bear any pressure here: it may fall earlier; "

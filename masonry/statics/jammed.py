@@ -35,7 +35,7 @@ def jammed(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTL
     together is not: they are what may have been tightened.
     """
     moves = np.asarray(bodies.free.any(axis=1))
-    loose = np.asarray(moves[contacts.block_a] | moves[contacts.block_b]) & ~contacts.is_bar
+    loose = np.asarray(moves[contacts.block_a] | moves[contacts.block_b]) & ~contacts.is_link
     if not 0 < loose.sum() <= MUCH or _all_open(bodies, contacts.select(loose)):
         return None
     pressed = np.zeros(contacts.count, dtype=bool)

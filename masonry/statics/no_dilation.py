@@ -152,7 +152,7 @@ class _LoadPath:
         self.unit = 1.0 / forces.factor
         groups, k = forces.tangent.shape[:2]
         area = self.flat.area
-        mean = area[~self.flat.is_bar].mean() if not self.flat.is_bar.all() else area.mean()
+        mean = area[~self.flat.is_link].mean() if not self.flat.is_link.all() else area.mean()
         along = softer * mean / np.bincount(forces.group, area, groups)
         weight = np.concatenate([mean / area, np.repeat(along, k)]) / (len(area) + groups * k)
         unit = np.concatenate([forces.force, np.repeat(forces.force[forces.leader], k)])
@@ -174,7 +174,7 @@ class _LoadPath:
         """The forces at a factor of 1 where no joint slides, whatever presses it: nothing presses what is jammed."""
         loads = np.abs(self.bodies.dead[:, :3]).sum() + np.abs(self.bodies.live[:, :3]).sum()
         great = np.full(self.flat.count, GREAT * loads)
-        stuck = replace(self.flat, friction=np.zeros_like(great), cohesion=np.where(self.flat.is_bar, 0.0, great))
+        stuck = replace(self.flat, friction=np.zeros_like(great), cohesion=np.where(self.flat.is_link, 0.0, great))
         near = NearForces(self.unloaded, self.weight, 0.0)
         return self.solve(stuck, (self.unit, self.unit), near)[1]
 

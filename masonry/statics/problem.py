@@ -44,9 +44,9 @@ class RigidContacts:
     tension           (C,) N, the greatest pull
     solid             (C,) whether the point bears any force
     crush             what compression the polygons bear; None without a limit
-    bar, most         (C,) whether it is no point but a bar, whose normal force above 0 pulls its ends together, along a
-                      normal from b to a; and N, the greatest normal force; None where there are no bars
-    pretension        (C,) N, the normal force before anything loads or moves; None where there are no bars
+    link, most        (C,) whether it is no point but a link, such as a bar, whose normal force above 0 pulls its ends
+                      together, along a normal from b to a; and N, the greatest normal force; None without any
+    pretension        (C,) N, the normal force before anything loads or moves; None where there are no links
     """
 
     block_a: np.ndarray
@@ -60,7 +60,7 @@ class RigidContacts:
     tension: np.ndarray
     solid: np.ndarray
     crush: Crushing | None = None
-    bar: np.ndarray | None = None
+    link: np.ndarray | None = None
     most: np.ndarray | None = None
     pretension: np.ndarray | None = None
 
@@ -69,22 +69,22 @@ class RigidContacts:
         return len(self.block_a)
 
     def weakened(self, by: float) -> "RigidContacts":
-        """The same with friction, cohesion and tension divided by a number; an endless tension and bars stay so."""
-        tension = np.where(np.isinf(self.tension) | self.is_bar, self.tension, self.tension / by)
+        """The same with friction, cohesion and tension divided by a number; an endless tension and links stay so."""
+        tension = np.where(np.isinf(self.tension) | self.is_link, self.tension, self.tension / by)
         return replace(self, friction=self.friction / by, cohesion=self.cohesion / by, tension=tension)
 
     def with_strength(self, times: float) -> "RigidContacts":
-        """The same with cohesion, tension, compressive strength, and what bars bear and are tightened to, multiplied by
-        a number."""
+        """The same with cohesion, tension, compressive strength, and what links bear and are tightened to, times a
+        number."""
         crush = None if self.crush is None else self.crush.times(times)
         most, tightened = (None if force is None else force * times for force in (self.most, self.pretension))
         grown = {"cohesion": self.cohesion * times, "tension": self.tension * times}
         return replace(self, **grown, crush=crush, most=most, pretension=tightened)
 
     @property
-    def is_bar(self) -> np.ndarray:
-        """(C,) which of them are bars."""
-        return np.zeros(self.count, dtype=bool) if self.bar is None else self.bar
+    def is_link(self) -> np.ndarray:
+        """(C,) which of them are links, such as bars."""
+        return np.zeros(self.count, dtype=bool) if self.link is None else self.link
 
     @property
     def cone_friction(self) -> np.ndarray:
@@ -94,7 +94,7 @@ class RigidContacts:
     @property
     def has_strength(self) -> bool:
         """Whether anything but friction limits what a point bears."""
-        return self.crush is not None or bool(self.cohesion.any() or self.tension.any() or self.is_bar.any())
+        return self.crush is not None or bool(self.cohesion.any() or self.tension.any() or self.is_link.any())
 
     def select(self, which: np.ndarray) -> "RigidContacts":
         """Some of them; compression is without a limit."""

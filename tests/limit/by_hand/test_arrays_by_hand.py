@@ -12,8 +12,8 @@ from geometry.polyhedra.construct import extrude
 from geometry.polyhedra.measures import moments
 from masonry.assembly.road.axle_pressure import Pressure
 from masonry.limit_analysis import positions
-from masonry.limit_analysis.bar_limits import with_bars, yielding
 from masonry.limit_analysis.contact_strengths import rises, touching
+from masonry.limit_analysis.element_limits import with_bars, yielding
 from masonry.limit_analysis.limit_data import set_of
 from masonry.limit_analysis.limit_loads import downward, loads_of
 from masonry.limit_analysis.positions import PositionSearch
@@ -35,8 +35,8 @@ def strong() -> RigidContacts:
     _, contacts = dry(stack([(0.5, 1.0)]), [0], 0.6)
     tension, most = np.array([2.0, 3.0, np.inf, 5.0]), np.array([np.inf, np.inf, np.inf, 7.0])
     crush = crushing_of(find_joints(stack([(0.5, 1.0)]), "vertex", 2), 4.0, np.ones(4, dtype=bool))
-    bar = np.arange(4) == 3
-    return replace(contacts, cohesion=np.arange(4.0), tension=tension, crush=crush, bar=bar, most=most)
+    link = np.arange(4) == 3
+    return replace(contacts, cohesion=np.arange(4.0), tension=tension, crush=crush, link=link, most=most)
 
 
 def test_a_safety_divides_what_joints_bear_and_leaves_what_bars_bear():
@@ -128,7 +128,7 @@ def test_bars_pull_their_ends_together_and_yield_by_what_they_bear():
     both = with_bars(contacts, bars, bodies, 200.0)  # type: ignore[arg-type]
     assert both.area[4:] == pytest.approx([0.15, 0.35]), "of joints as stiff as the bars"
     assert both.pretension is not None and both.pretension.tolist() == [0.0] * 4 + [0.5, 0.0]
-    assert both.is_bar.tolist() == [False] * 4 + [True, True] and both.block_b[4:].tolist() == [1, 0]
+    assert both.is_link.tolist() == [False] * 4 + [True, True] and both.block_b[4:].tolist() == [1, 0]
     assert both.normal[4:] == pytest.approx(-axis), "a force above 0 on the second end goes towards the first one"
     assert both.tension[4:].tolist() == [2.0, 0.0] and both.most is not None and both.most[4:].tolist() == [5.0, 3.0]
     assert len(set(both.patch[3:].tolist())) == 3, "each is a joint of its own"

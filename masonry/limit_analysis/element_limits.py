@@ -1,8 +1,8 @@
-"""Bars in a limit analysis: forces of any size up to what they bear, in both of their ends."""
+"""Elements in a limit analysis: forces of any size up to what they bear; bars in both of their ends."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from scipy import sparse
@@ -22,6 +22,36 @@ YIELDS = 1.0 - 1e-6
 """Share of what a bar bears from which it counts as yielding."""
 
 
+class LimitElement(Protocol):
+    """What an element of a limit analysis answers.
+
+    force     (K,) N of each of its members
+    on_slack  what is assumed, in words, where it bears in its slack
+    """
+
+    name: str
+    force: np.ndarray
+    on_slack: str
+
+    def behind(self, contacts: RigidContacts, bodies: RigidBodies, stiffness: float) -> RigidContacts:
+        """The contacts, and behind them its members; stiffness: Pa/m of the joints. Raises SceneError."""
+
+    def bears_in_slack(self, least: float) -> bool:
+        """Whether members bear more than the least force (N) that have slack to take up first."""
+
+    def as_data(self) -> dict[str, Any]:
+        """For JSON, in SI."""
+
+    @property
+    def words(self) -> str:
+        """What it bears."""
+
+    def draw(
+        self, axes: Any, scene: Scene, blocks: Blocks, camera: Camera, moves: Moves | None, seen: list[Piece]
+    ) -> None:
+        """Over the blocks of a picture."""
+
+
 @dataclass
 class LimitBars:
     """Bars of a limit analysis, and the force (K,) N of each, above 0 where it pulls."""
@@ -37,12 +67,13 @@ class LimitBars:
         """(K,) which bars bear all that they can."""
         return yielding(self.places, self.force)
 
+    def behind(self, contacts: RigidContacts, bodies: RigidBodies, stiffness: float) -> RigidContacts:
+        return with_bars(contacts, self.places, bodies, stiffness)
+
     def bears_in_slack(self, least: float) -> bool:
-        """Whether bars bear more than the least force (N) that have slack to take up first."""
         return bool((np.abs(self.force)[self.places.slack > 0.0] > least).any())
 
     def as_data(self) -> dict[str, Any]:
-        """For JSON, in SI."""
         return {"force": self.force.tolist(), "unit": "N", "yielding": np.flatnonzero(self.yielding).tolist()}
 
     @property
@@ -57,21 +88,20 @@ class LimitBars:
     def draw(
         self, axes: Any, scene: Scene, blocks: Blocks, camera: Camera, moves: Moves | None, seen: list[Piece]
     ) -> None:
-        """Over the blocks of a picture."""
         draw_bars(axes, scene.bar, blocks, camera, moves, self.yielding, seen)
 
 
-def limit_elements(plans: Sequence[ElementPlan]) -> list[LimitBars]:
+def limit_elements(plans: Sequence[ElementPlan]) -> list[LimitElement]:
     """Those of a scene that bear in a limit analysis, without force yet."""
     return [LimitBars(one, np.zeros(one.count)) for one in plans if isinstance(one, BarPlaces)]
 
 
 def with_elements(
-    contacts: RigidContacts, elements: Sequence[LimitBars], bodies: RigidBodies, stiffness: float
+    contacts: RigidContacts, elements: Sequence[LimitElement], bodies: RigidBodies, stiffness: float
 ) -> RigidContacts:
     """The contacts, and behind them all elements; stiffness: Pa/m of the joints."""
     for element in elements:
-        contacts = with_bars(contacts, element.places, bodies, stiffness)
+        contacts = element.behind(contacts, bodies, stiffness)
     return contacts
 
 
@@ -97,10 +127,10 @@ def with_bars(contacts: RigidContacts, bars: BarPlaces, bodies: RigidBodies, sti
     names = ("block_a", "block_b", "point", "normal", "patch", "area", "friction", "cohesion", "tension", "solid")
     both = {name: np.concatenate([getattr(contacts, name), getattr(behind, name)]) for name in names}
     crush = None if contacts.crush is None else _wider(contacts.crush, count)
-    bar = np.concatenate([np.zeros(contacts.count, dtype=bool), one > 0.0])
+    link = np.concatenate([contacts.is_link, one > 0.0])
     most = np.concatenate([np.full(contacts.count, np.inf), bars.most])
     pretension = np.concatenate([np.zeros(contacts.count), bars.pretension])
-    return replace(contacts, **both, crush=crush, bar=bar, most=most, pretension=pretension)
+    return replace(contacts, **both, crush=crush, link=link, most=most, pretension=pretension)
 
 
 def yielding(bars: BarPlaces, force: np.ndarray) -> np.ndarray:
