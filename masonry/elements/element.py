@@ -133,7 +133,10 @@ def stiffened(stiffness: np.ndarray, elements: Elements) -> np.ndarray:
 
 def energies_of(elements: Elements) -> dict[str, float]:
     """J that elements store and took, by column of the ledger."""
-    return {column: energy for one in elements for column, energy in (one.stored() | one.taken()).items()}
+    total: dict[str, float] = {}
+    for column, energy in (entry for one in elements for entry in (one.stored() | one.taken()).items()):
+        total[column] = total.get(column, 0.0) + energy
+    return total
 
 
 def stored_by(elements: Elements) -> float:
