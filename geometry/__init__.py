@@ -1,7 +1,11 @@
 """What stands where: blocks, meshes and joints as plain arrays. Knows no mechanics; imports no `masonry`."""
 
-from geometry.blocks import Blocks, GeometryError, Joints, Specimen
-from geometry.polyhedra.construct import concatenate, extrude, from_boxes, from_faces
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from geometry.blocks import Blocks, GeometryError, Joints, Specimen
+    from geometry.polyhedra.construct import concatenate, extrude, from_boxes, from_faces
 
 __all__ = [
     "Blocks",
@@ -13,3 +17,11 @@ __all__ = [
     "from_boxes",
     "from_faces",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Looked up when it is asked for: it brings numpy with it, which what asks of the system alone does not need."""
+    if name not in __all__:
+        raise AttributeError(f"module 'geometry' has no attribute '{name}'")
+    module = "geometry.blocks" if name[0].isupper() else "geometry.polyhedra.construct"
+    return getattr(import_module(module), name)

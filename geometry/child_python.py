@@ -6,6 +6,8 @@ beside a scene would be run. Such a process is started with `-P`, and takes over
 
 import os
 import sys
+import threading
+from collections.abc import Callable
 from pathlib import Path
 
 HOUSE = Path(__file__).resolve().parents[1]
@@ -23,3 +25,18 @@ def _search_path() -> list[str]:
     looked into only where this program lies there."""
     here = [str(HOUSE)] if "" in sys.path and Path.cwd() == HOUSE else []
     return [place for entry in sys.path for place in ([os.path.abspath(entry)] if entry else here)]
+
+
+def end_with_parent(last: Callable[[], object] = lambda: None) -> None:
+    """Have this process end where the one that began it is gone, which holds the other end of standard input and writes
+    nothing more to it; `last` is called before. From now on standard input is empty."""
+    alive, nothing = os.dup(0), os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+
+    def watch() -> None:
+        os.read(alive, 1)
+        last()
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()

@@ -12,6 +12,7 @@ ROOT = Path(__file__).resolve().parents[1]
 OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
     *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.child_python"),
+    "geometry.operating_system",
     *("geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
     *("masonry.errors", "masonry.units", "masonry.quantity", "masonry.rows", "masonry.runtime"),

@@ -1,7 +1,8 @@
 """How many processes run tests side by side: as many as there are processors, and as memory has room for."""
 
-import os
 from pathlib import Path
+
+from geometry.operating_system import SYSTEM
 
 EACH = 3 * 2**30
 """Bytes that a process of the tests takes at most: 2.9 GB where it compiles all that its tests need."""
@@ -9,8 +10,7 @@ EACH = 3 * 2**30
 
 def workers() -> int:
     """For this machine, or the container that this runs in."""
-    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return fitting(processors, free_memory(Path("/")))
+    return fitting(SYSTEM.processors(), free_memory(Path("/")))
 
 
 def fitting(processors: int, free: float) -> int:

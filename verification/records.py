@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import WholeFiles
+from geometry.operating_system import SYSTEM
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
@@ -38,19 +39,9 @@ def origin() -> Record:
         "source_hash": source_hash(),
         "reference_hash": source_hash(("verification",)),
         "packages": {"python": platform.python_version(), **{name: metadata.version(name) for name in PACKAGES}},
-        "processor": processor(),
+        "processor": SYSTEM.processor_name(),
         "cores": os.cpu_count(),
     }
-
-
-def processor() -> str:
-    """The model of the CPU, where the system tells."""
-    try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    except OSError:
-        lines = []
-    named = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return named[0] if named else platform.processor() or "unknown processor"
 
 
 def records_of(outcome: CaseOutcome) -> list[Record]:

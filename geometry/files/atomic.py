@@ -1,15 +1,16 @@
 """Files appear whole or not at all: written beside the place and put there at the end."""
 
+import contextlib
 import errno
 import os
 import re
 import stat
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
 
 from geometry.blocks import GeometryError
+from geometry.operating_system import SYSTEM
 
 LONGEST_NAME = 48
 """Letters of the name that the place beside keeps, so that it is no longer than a system allows."""
@@ -26,14 +27,14 @@ def is_unfinished(name: str) -> bool:
     return re.fullmatch(r"\.masonry-\d+-unfinished-.+", name, re.DOTALL) is not None
 
 
-@contextmanager
+@contextlib.contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
     """A place of the same suffix to write to; renamed to path when all went well, removed otherwise.
 
     Raises GeometryError if the folder cannot be written to.
     """
     path = Path(path)
-    if not path.name or not is_name(str(path)):
+    if not path.name or not SYSTEM.is_name(str(path)):
         raise GeometryError(f"cannot write '{path}': this is no name of a file")
     if not path.parent.is_dir():
         raise GeometryError(f"cannot write '{path}': {os.strerror(errno.ENOENT)}")
@@ -78,33 +79,15 @@ class WholeFiles:
         try:
             if kind is None:
                 for path in self._temporary.values():
-                    _flush(path)
+                    SYSTEM.flush(path)
                 self.settle(self._temporary)
                 for name, path in self._temporary.items():
-                    os.replace(path, self.folder / name)
-                _flush(self.folder)
+                    SYSTEM.replace(path, self.folder / name)
+                SYSTEM.flush(self.folder)
         finally:
             for path in self._temporary.values():
-                path.unlink(missing_ok=True)
-
-
-def _flush(path: Path) -> None:
-    """Have the disk hold what was written to a file or a folder."""
-    if path.is_dir() and os.name == "nt":
-        return
-    handle = os.open(path, os.O_RDONLY if os.name != "nt" else os.O_RDWR)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)
-
-
-def is_name(path: str) -> bool:
-    """Whether a file system can have it: no NUL, no halves of letters."""
-    try:
-        return b"\0" not in os.fsencode(path)
-    except UnicodeEncodeError:
-        return False
+                with contextlib.suppress(PermissionError):  # it is still open, which some systems mind; swept up later
+                    path.unlink(missing_ok=True)
 
 
 def require_file(path: Path, largest: int) -> int:

@@ -29,7 +29,7 @@ def export(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> None:
     if suffix not in (".msh", ".vtu"):
         names = block_names(specimen)
         text = step_text(specimen.blocks, names) if suffix in (".step", ".stp") else None
-        with whole_file(path) as place, open(place, "w", encoding="ascii" if text else "utf-8") as file:
+        with whole_file(path) as place, open(place, "w", encoding="ascii" if text else "utf-8", newline="\n") as file:
             file.writelines(text or surface_text(specimen.blocks, names, suffix))
         return
     whole = _filled(specimen.blocks, mesh)

@@ -15,8 +15,8 @@ import numpy as np
 from geometry.blocks import GeometryError, Imported
 from geometry.checks import require_lengths
 from geometry.files.atomic import require_file
-from geometry.files.sandbox import limited_memory
 from geometry.meshes.blocks_of_tets import blocks_of_tets
+from geometry.operating_system import SYSTEM
 
 LARGEST = 2**30
 """Bytes of a file that is read."""
@@ -76,7 +76,11 @@ def _meshio(path: Path, size: int) -> Any:
         _require_plain_xml(path)
     said = io.StringIO()
     try:
-        with limited_memory(40 * size + 2**29), contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        with (
+            SYSTEM.limited_memory(40 * size + 2**29),
+            contextlib.redirect_stdout(said),
+            contextlib.redirect_stderr(said),
+        ):
             mesh = readers[suffix](path)
     except MemoryError:
         raise GeometryError(f"'{path}' claims to hold far more than its {size} bytes") from None

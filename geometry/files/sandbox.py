@@ -1,21 +1,17 @@
 """Files from elsewhere are read in a process of their own, so that a damaged or hostile one can do no harm here.
 
-The reader gets limited memory, processor time and output, no standard input and an empty folder to work in. What comes
-back is plain arrays. A crash, an abort or a time-out of it becomes one GeometryError. A reader whose asker was killed
-takes its folder away and ends.
+The reader gets limited memory (on Linux), processor time and output, no standard input and an empty folder to work in.
+What comes back is plain arrays. A crash, an abort or a time-out of it becomes one GeometryError. A reader whose asker
+was killed takes its folder away and ends.
 """
 
 import json
 import os
-import resource
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
-import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NoReturn
@@ -23,8 +19,9 @@ from typing import Any, NoReturn
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Imported, TetMesh
-from geometry.child_python import child_command
+from geometry.child_python import child_command, end_with_parent
 from geometry.files.atomic import require_file
+from geometry.operating_system import SYSTEM
 
 LARGEST = 500_000_000  # bytes of a file
 MEMORY = 4 << 30  # bytes
@@ -47,9 +44,8 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
     size = _size_of_folder(path) if path.is_dir() else require_file(path, LARGEST)
     seconds = min(SECONDS, START + PER_MEGABYTE * size // 1_000_000)
     patience = min(SECONDS, PATIENCE * seconds)
-    theirs, ours = os.pipe()
-    with open(ours, "wb"), open(theirs, "rb"), tempfile.TemporaryDirectory(prefix="masonry-") as folder:
-        child = begin(json.dumps([module, reader, str(path), words, seconds]), Path(folder), theirs)
+    with tempfile.TemporaryDirectory(prefix="masonry-", ignore_cleanup_errors=True) as folder:
+        child = begin(json.dumps([module, reader, str(path), words, seconds]), Path(folder))
         try:
             code = child.wait(patience)
         except subprocess.TimeoutExpired:
@@ -58,6 +54,8 @@ def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Importe
             if child.poll() is None:
                 child.kill()
                 child.wait()
+            if child.stdin is not None:
+                child.stdin.close()
         return _answer(Path(folder), code, path.name, seconds)
 
 
@@ -72,19 +70,17 @@ def _size_of_folder(path: Path) -> int:
     return size
 
 
-def begin(task: str, folder: Path, alive: int) -> Any:
-    """Start the reader in this folder, as a subprocess.Popen; `alive` is the end of a pipe whose other end is here."""
+def begin(task: str, folder: Path) -> Any:
+    """Start the reader in this folder, as a subprocess.Popen, whose standard input tells it that it is waited for."""
     surroundings = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
-    surroundings["HOME"] = str(folder)  # the CAD kernel's libraries leave settings there
     return subprocess.Popen(
-        child_command("geometry.files.sandbox", task, str(alive)),
+        child_command("geometry.files.sandbox", task),
         cwd=folder,
-        env=surroundings,
-        stdin=subprocess.DEVNULL,
+        env=surroundings | SYSTEM.home(folder),  # the CAD kernel's libraries leave settings there
+        stdin=subprocess.PIPE,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-        start_new_session=True,
-        pass_fds=(alive,),
+        **SYSTEM.apart(),
     )
 
 
@@ -96,7 +92,7 @@ def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
             f"'{name}': reading it takes more than {MEMORY >> 30} GB of memory; is it damaged? "
             "Else make it smaller where it was made: a scan of 100,000 faces takes a tenth of that"
         )
-    if code == -signal.SIGXCPU:
+    if code == SYSTEM.too_late:
         raise GeometryError(f"'{name}': reading it takes more than {seconds} s of processor time; is it damaged?")
     if code != 0:
         how = signal.Signals(-code).name if code < 0 else f"exit code {code}"
@@ -112,14 +108,7 @@ def _answer(folder: Path, code: int, name: str, seconds: int) -> Imported:
 def serve(task: str) -> int:
     """The reader's side: limits, the call, the answer as a file in the working folder; returns the exit code."""
     module, reader, path, words, seconds = json.loads(task)
-    for limit, most in (
-        (resource.RLIMIT_AS, MEMORY),
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_CORE, 0),
-        (resource.RLIMIT_FSIZE, MEMORY),
-    ):
-        hard = resource.getrlimit(limit)[1]
-        resource.setrlimit(limit, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+    SYSTEM.limit_process(MEMORY, seconds)
     try:
         _save(getattr(import_module(module), reader)(Path(path), **words))
     except MemoryError:
@@ -143,32 +132,14 @@ def _save(imported: Imported) -> None:
     np.savez(ANSWER, words=np.frombuffer(text, dtype=np.uint8), **arrays)
 
 
-def _end_with_asker(alive: int) -> None:
-    """Nothing comes through the pipe; it ends when the process that asks is gone, and nobody waits for an answer."""
-    os.read(alive, 1)
-    shutil.rmtree(os.getcwd(), ignore_errors=True)
-    os._exit(1)
-
-
 def main() -> NoReturn:
-    """The reader's process: its task, and the pipe that tells whether somebody waits for it."""
-    threading.Thread(target=_end_with_asker, args=(int(sys.argv[2]),), daemon=True).start()
+    """The reader's process, whose task is its word."""
+    end_with_parent(_leave)
     sys.exit(serve(sys.argv[1]))
 
 
-@contextmanager
-def limited_memory(more: int) -> Iterator[None]:
-    """Let the process take up `more` bytes beyond what it has; where the system cannot do this, nothing changes."""
-    try:
-        pages = int(Path("/proc/self/statm").read_text().split()[0])
-    except (OSError, ValueError):
-        yield
-        return
-    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    wanted = pages * resource.getpagesize() + more
-    bounds = [limit for limit in (soft, hard) if limit != resource.RLIM_INFINITY]
-    resource.setrlimit(resource.RLIMIT_AS, (min([wanted, *bounds]), hard))
-    try:
-        yield
-    finally:
-        resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
+def _leave() -> None:
+    """Take the working folder away: nobody waits for an answer."""
+    folder = os.getcwd()
+    os.chdir(tempfile.gettempdir())
+    shutil.rmtree(folder, ignore_errors=True)

@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from masonry import __version__
-from masonry.cli.installed import COMPUTING, Finding, cached_code, module, others, processor, threading_layer
+from masonry.cli.installed import COMPUTING, Finding, cached_code, module, others, processor, system, threading_layer
 from masonry.runtime.tables import WIDTH
 
 LEAST_FREE = 200e6
@@ -30,6 +30,7 @@ def diagnose(quick: bool = False, say: Callable[[str], object] = print) -> bool:
     checks: dict[str, Callable[[], Finding]] = {
         "python": lambda: (True, platform.python_version()),
         "masonry": lambda: (True, __version__),
+        "system": system,
         "processors": processor,
         **{name: partial(module, name) for name in COMPUTING},
         "threading layer": threading_layer,

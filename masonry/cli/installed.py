@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import platform
 import re
 from importlib import metadata
 
@@ -15,6 +16,8 @@ AGAIN = "install it again, in the clone of masonry-dem: pip install --force-rein
 COMPUTING = ("numpy", "scipy", "numba", "h5py", "matplotlib", "gmsh")
 """Packages of compiled code, which may be there and yet not load."""
 DISTRIBUTION = "masonry-dem"
+TRIED = "Linux"
+"""The system on which the tests were run."""
 TOOLS = ("dev", "docs")
 """Extras for those who change the program; a user lacks nothing without them."""
 Finding = tuple[bool, str]
@@ -28,6 +31,12 @@ def module(name: str) -> Finding:
         return False, f"cannot be imported ({error}); {AGAIN}"
     except OSError as error:
         return False, f"a library is missing ({error}); {ON_DEBIAN}"
+
+
+def system() -> Finding:
+    """Which one this is, and whether the program was ever tried on it."""
+    words = f"{platform.system()} {platform.release()}, {platform.machine()}"
+    return True, words if platform.system() == TRIED else f"{words}; this program was tried on {TRIED} only"
 
 
 def processor() -> Finding:

@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from geometry.operating_system import SYSTEM
 from masonry import __version__
 from masonry.cli.commands import scene_commands
 from masonry.errors import SceneError, Stopped
@@ -181,10 +182,10 @@ def main(arguments: list[str] | None = None) -> int:
         return complain(f"not enough memory: {error}; look at the sizes of the scene", STOPPED)
     except KeyboardInterrupt as ended:
         return complain(f"{word_of(ended)} before there were results", code_of(ended))
-    except BrokenPipeError:
-        let_go_of_output()
-        return OK
     except OSError as error:
+        if SYSTEM.is_reader_gone(error):
+            let_go_of_output()
+            return OK
         if error.filename is None and error.errno in (errno.ENOSPC, errno.EIO, errno.EBADF):
             let_go_of_output()
             return complain(f"cannot write, to standard output or to a file: {error.strerror}", USAGE)

@@ -105,7 +105,7 @@ def import_file(
     text = scene_text(specimen, joints, Written(_readable(source.name), file, words, is_dry, content))
     if out is not None and target is not None:
         with whole_file(out) as place:
-            place.write_text(text, encoding="utf-8")
+            place.write_text(text, encoding="utf-8", newline="\n")
             save_blocks(target, specimen, solids.mesh)
     notes = (*solids.notes, *_lone(blocks), *_shared_names(names))
     paths = (out, target) if out is not None and target is not None else ()

@@ -8,10 +8,10 @@ import contextlib
 import os
 import re
 import shutil
-import stat
 import tempfile
 from pathlib import Path
 
+from geometry.operating_system import FOR_ONE, SYSTEM
 from masonry.jit.sources import COMPILED, source_hash
 
 KEPT = 5
@@ -24,9 +24,6 @@ OURS = (
     b"Signature: 8a477f597d28d172789f06886806bc55\n# Made by masonry-dem, which deletes this folder with all in it.\n"
 )
 """What the marker says of a folder that was made here. Nothing is deleted that does not carry it."""
-OF_OTHERS = 0o022
-"""The bits of a folder by which a group or all may write to it."""
-FOR_ONE = 0o700
 
 
 def cache_root() -> Path:
@@ -70,12 +67,9 @@ def words_of(error: OSError) -> str:
 
 
 def require_own(folder: Path) -> None:
-    """Raise OSError where a folder belongs to another user, or others may write to it."""
-    state = folder.stat()
-    if state.st_uid != os.geteuid():
-        raise OSError(f"'{folder}' belongs to another user (number {state.st_uid})")
-    if state.st_mode & OF_OTHERS:
-        raise OSError(f"other users may write to '{folder}': delete it, or take that from them (chmod go-w)")
+    """Raise OSError where a folder belongs to another user, or others may write to it; Windows is not asked."""
+    if words := SYSTEM.strangers(folder):
+        raise OSError(words)
 
 
 def _make(folder: Path) -> None:
@@ -85,8 +79,7 @@ def _make(folder: Path) -> None:
         folder.mkdir(mode=FOR_ONE, exist_ok=True)
         (folder / MARKER).write_bytes(OURS)
     require_own(folder)
-    if (mode := stat.S_IMODE(folder.stat().st_mode)) & ~FOR_ONE:
-        folder.chmod(mode & FOR_ONE)
+    SYSTEM.close_to_others(folder)
     with tempfile.TemporaryFile(dir=folder):  # whether it can be written to
         pass
 

@@ -14,7 +14,8 @@ from collections.abc import Iterator
 from multiprocessing import parent_process
 from typing import Any
 
-from geometry.child_python import child_command
+from geometry.child_python import child_command, end_with_parent
+from geometry.operating_system import SYSTEM
 from masonry.jit.compiler import STEP, is_begun
 
 MOST = 4
@@ -30,12 +31,8 @@ def processes() -> int:
     if parent_process() is not None or not STEP:
         return 1
     with contextlib.suppress(ValueError):
-        return int(os.environ["MASONRY_COMPILERS"]) if "MASONRY_COMPILERS" in os.environ else min(MOST, _processors())
+        return int(os.environ.get("MASONRY_COMPILERS", min(MOST, SYSTEM.processors())))
     return 1
-
-
-def _processors() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def compile_all(work: Work) -> None:
@@ -67,20 +64,19 @@ def _others(work: Work, count: int) -> Iterator[None]:
                 others.append(other)
                 assert other.stdin is not None
                 other.stdin.write(order)
-                other.stdin.close()
+                other.stdin.flush()  # and stays open, as it tells that somebody waits
         yield
     finally:
         for other in others:  # all is compiled by now, or this process was told to end
             other.kill()
-            other.wait()
+            other.communicate()
 
 
 def main() -> None:
-    """What another process does: its work comes from the process that began it."""
-    parent = os.getppid()
-    for module, name, kind in pickle.load(sys.stdin.buffer):
-        if os.getppid() != parent:
-            return
+    """What another process does: its work comes from the process that began it, and with which it ends."""
+    work = pickle.load(sys.stdin.buffer)
+    end_with_parent()
+    for module, name, kind in work:
         part = getattr(importlib.import_module(module), name)
         if not part.is_compiled(kind) and not is_begun(part.stamp(kind)):
             part.compile(kind)

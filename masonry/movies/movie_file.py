@@ -107,8 +107,10 @@ def _write_mp4(shown: Iterator[None], movie: "Movie", path: Path, fps: int, ffmp
 
 def _ffmpeg() -> str:
     """The ffmpeg of the system, else that of imageio-ffmpeg; none of the current folder, where PATH names that."""
-    if program := shutil.which("ffmpeg", path=os.pathsep.join(filter(os.path.isabs, os.get_exec_path()))):
-        return program
+    for place in filter(os.path.isabs, os.get_exec_path()):  # `which` by itself looks here first on Windows
+        for name in ("ffmpeg", "ffmpeg.exe"):
+            if program := shutil.which(os.path.join(place, name)):
+                return program
     try:
         from imageio_ffmpeg import get_ffmpeg_exe
 

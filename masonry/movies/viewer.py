@@ -1,12 +1,11 @@
 """Result.show: the specimen in 3D by PyVista, off-screen where there is no display."""
 
-import os
-import sys
 from ctypes.util import find_library
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from geometry.files.atomic import whole_file
+from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError, extra, nearest
 from masonry.movies.scene_3d import FIELDS, Viewer
 from masonry.pictures.camera import VIEWS
@@ -52,7 +51,7 @@ def show(
     number = next(k for k, frame in enumerate(frames) if frame is chosen.frame)
     off = screenshot is not None or pyvista.OFF_SCREEN
     plotter = pyvista.Plotter(off_screen=off, window_size=WINDOW)
-    if not off and not plotter.notebook and not _has_display():
+    if not off and not plotter.notebook and not SYSTEM.has_display():
         plotter.close()
         raise SceneError("there is no display to show it on; give a file: result.show(screenshot='wall.png')")
     viewer = Viewer(plotter, result, field, everywhere)
@@ -85,18 +84,14 @@ def add_slider(plotter: Any, viewer: Viewer, number: int) -> Any:
 
 
 def _pyvista() -> Any:
-    if not _has_display() and not any(map(find_library, ("EGL", "OSMesa"))):  # VTK would end the process
+    if not SYSTEM.has_display() and not any(map(find_library, ("EGL", "OSMesa"))):  # VTK would end the process
         raise SceneError("there is no display, and no libEGL or libOSMesa to draw without: apt-get install libegl1")
     try:
         import pyvista
     except ImportError:
         raise SceneError(f"show() needs PyVista; {extra('view')}") from None
-    if not _has_display():
+    if not SYSTEM.has_display():
         from vtkmodules.vtkCommonCore import vtkLogger
 
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)  # it tries a display first, and warns of it
     return pyvista
-
-
-def _has_display() -> bool:
-    return not sys.platform.startswith("linux") or any(os.environ.get(key) for key in ("DISPLAY", "WAYLAND_DISPLAY"))

@@ -13,9 +13,11 @@ import threading
 from collections.abc import Callable, Iterator
 from typing import NoReturn
 
-from masonry.runtime.shell import ENDING, INTERRUPTED
+from geometry.operating_system import SYSTEM
+from masonry.runtime.shell import INTERRUPTED
 
-SIGNALS = (signal.SIGINT, *ENDING)
+SIGNALS = (signal.SIGINT, *SYSTEM.ending)
+"""Ctrl-C, and what asks a process to end: a system that shuts down, a terminal that is closed."""
 GRACE = 3.0
 """Seconds that a command has to put away what is half-done."""
 WORDS = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
@@ -88,8 +90,7 @@ def ended_by_signals() -> Iterator[Command]:
     before, hook, CURRENT = CURRENT, sys.unraisablehook, Command()
     usual = {n: signal.getsignal(n) for n in SIGNALS}
     ours = [n for n, handler in usual.items() if handler in (signal.SIG_DFL, signal.default_int_handler)]
-    theirs, mine = os.pipe()
-    os.set_blocking(mine, False)
+    theirs, mine = SYSTEM.wakeup_pipe()
     looking = threading.Thread(target=CURRENT.look_on, args=(theirs,), daemon=True)
     looking.start()
     wakeup = signal.set_wakeup_fd(mine, warn_on_full_buffer=False)

@@ -8,7 +8,8 @@ import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from geometry.files.atomic import is_name, is_unfinished
+from geometry.files.atomic import is_unfinished
+from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError
 from masonry.runtime.folders.own_files import LIST, require_own
 from masonry.runtime.lock import LOCKS, is_lock, sole
@@ -91,7 +92,7 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
     existed = out is not None and out.exists()
     if out is not None and existed and not out.is_dir():
         raise SceneError(f"--out '{out}' is a file; results need a folder")
-    if out is not None and not is_name(str(out)):
+    if out is not None and not SYSTEM.is_name(str(out)):
         raise SceneError(f"--out '{out}': no folder can have this name")
     folder = claim(scene) if out is None else out
     try:

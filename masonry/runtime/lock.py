@@ -9,6 +9,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError
 
 LOCK = ".masonry-lock"
@@ -42,9 +43,12 @@ def sole(folder: Path, doing: str) -> Iterator[None]:
     try:
         with contextlib.suppress(OSError):  # a full disk: the lock holds without a word
             since = time.strftime("%Y-%m-%d %H:%M:%S")
-            path.write_text(f"process {os.getpid()} {doing} (on {socket.gethostname()}, since {since})")
+            words = f"process {os.getpid()} {doing} (on {socket.gethostname()}, since {since})"
+            path.write_text(words, encoding="utf-8")
         yield
     finally:
+        if not SYSTEM.removes_open_files:
+            lock.release()
         with contextlib.suppress(OSError):
             path.unlink(missing_ok=True)
         lock.release()
@@ -57,8 +61,8 @@ def is_lock(path: Path) -> bool:
         return content.startswith(BEGINS)
     except FileNotFoundError:  # it was given back meanwhile
         return True
-    except OSError:
-        return False
+    except OSError as error:
+        return isinstance(error, PermissionError) and not SYSTEM.reads_locked_files  # it may be in use
 
 
 def _holder(path: Path) -> str:

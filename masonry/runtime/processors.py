@@ -5,6 +5,8 @@ import platform
 import time
 from dataclasses import dataclass
 
+from geometry.operating_system import SYSTEM
+
 AUTO = "auto"
 """As many threads as a scene is worth, in place of their number."""
 
@@ -30,14 +32,13 @@ class Seconds:
 
 def processors() -> int:
     """How many this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return SYSTEM.processors()
 
 
 def free_processors() -> int:
     """How many of these other programs have left idle in the last minute, as far as the system tells; this one was at
     work itself."""
-    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
-    return max(0, processors() - int(busy))
+    return max(0, processors() - int(SYSTEM.busy_processors()))
 
 
 def compiled_for() -> str:

@@ -4,7 +4,6 @@ import argparse
 import contextlib
 import os
 import re
-import signal
 import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
@@ -12,8 +11,6 @@ from typing import Any, NoReturn
 from masonry.errors import did_you_mean, nearest, visible
 from masonry.runtime.named_file import FORMATS
 
-ENDING = (signal.SIGTERM, *([signal.SIGHUP] if hasattr(signal, "SIGHUP") else []))
-"""Signals that ask a process to end: of a system that shuts down, of a terminal that is closed."""
 OK, USAGE, STOPPED, INTERRUPTED = 0, 2, 3, 130
 LONGEST_WORD, LONGEST_LINE, HEAD, TAIL = 500, 1600, 1000, 500
 """Letters of a word and of a line that a message repeats; of a longer line its head and its tail."""

@@ -1,11 +1,11 @@
 """The folder that many runs leave their results in: one folder a run, named by its key, there whole or not at all."""
 
 import json
-import os
 from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import WholeFiles, unfinished
+from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError
 from masonry.judgement.judgement import judgement_of
 from masonry.results.store import NUMBERS
@@ -80,13 +80,13 @@ def _take_place(whole: Path, place: Path) -> None:
         for name in (FAILURE, *NUMBERS):  # what it is known by goes first, and comes last
             (place / name).unlink(missing_ok=True)
         for name in (path.name for path in whole.iterdir() if path.name not in (FAILURE, NUMBERS[0])):
-            os.replace(whole / name, place / name)
+            SYSTEM.replace(whole / name, place / name)
         for name in (FAILURE, NUMBERS[0]):
             if (whole / name).exists():
-                os.replace(whole / name, place / name)
+                SYSTEM.replace(whole / name, place / name)
         whole.rmdir()
     else:
-        os.rename(whole, place)
+        SYSTEM.replace(whole, place)
 
 
 def _judged(summary: dict[str, Any]) -> Row:

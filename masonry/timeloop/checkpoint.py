@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from geometry.files.atomic import WholeFiles, is_unfinished, unfinished
+from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError
 from masonry.runtime.folder import CHECKPOINT, HOW_TO, UNFINISHED, foreign_checkpoint, is_checkpoint, sweep_up
 from masonry.runtime.state_file import Damaged, State, read, write
@@ -100,7 +101,7 @@ class Checkpoints:
         ours = {name for name in there if name in (SCENE, HOW, HOW_TO) or _number(name) or is_unfinished(name)}
         if ours == there:
             gone = self.results / unfinished("checkpoint")
-            os.replace(self.folder, gone)  # all at once: half a checkpoint is none
+            SYSTEM.replace(self.folder, gone)  # all at once: half a checkpoint is none
             shutil.rmtree(gone, ignore_errors=True)
             return
         for name in sorted(ours, key=lambda name: (name != SCENE, name == HOW_TO)):  # as long as it lasts it is ours

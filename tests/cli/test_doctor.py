@@ -23,6 +23,13 @@ def test_a_machine_that_has_everything_is_fine(capsys):
     assert said.endswith("all fine\n") and "self-test" not in said
 
 
+def test_a_system_on_which_it_was_never_tried_is_told_and_is_no_problem(monkeypatch):
+    assert installed.system()[1].startswith("Linux ") and "tried" not in installed.system()[1]
+    monkeypatch.setattr(installed.platform, "system", lambda: "Windows")
+    good, words = installed.system()
+    assert good and words.startswith("Windows ") and words.endswith("; this program was tried on Linux only")
+
+
 def test_a_missing_library_is_named_with_the_packages_that_bring_it(monkeypatch, capsys):
     load = importlib.import_module
 

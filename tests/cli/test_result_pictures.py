@@ -227,7 +227,7 @@ def test_an_mp4_is_written_where_there_is_an_ffmpeg_and_refused_in_one_message_e
     path = write_movie(sample(), tmp_path / "wall.mp4", fps=2)
     assert path.read_bytes()[4:8] == b"ftyp"
     assert frames.count_frames_and_secs(str(path))[0] == 3 + 3
-    monkeypatch.setattr(movie_file.shutil, "which", lambda name, path: None)
+    monkeypatch.setattr(movie_file.shutil, "which", lambda name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     with pytest.raises(SceneError, match=r"pip install '\.\[movie\]'"):
         write_movie(sample(), tmp_path / "other.mp4")

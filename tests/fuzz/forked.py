@@ -14,7 +14,9 @@ from geometry.files import sandbox
 class Forked:
     """As far as `geometry.files.sandbox` needs a subprocess.Popen; takes what its `begin` takes."""
 
-    def __init__(self, task: str, folder: Path, alive: int) -> None:
+    stdin = None
+
+    def __init__(self, task: str, folder: Path) -> None:
         self.process = get_context("fork").Process(target=_read, args=(task, folder), daemon=True)
         self.process.start()
         self.kill = self.process.kill

@@ -20,7 +20,7 @@ from typing import Any
 
 import pytest
 
-from geometry.files.sandbox import limited_memory
+from geometry.operating_system import SYSTEM
 from masonry.runtime.shell import STOPPED, USAGE
 from tests.fuzz.attempt import Attempt
 from tests.fuzz.odd import FORGED, LEAK, furnish
@@ -61,7 +61,7 @@ class Room:
         before, alive = listing(folder), children()
         forget_peak()
         self.capture.readouterr()
-        with ended_in_time(self.root / "stack.txt"), limited_memory(4 * MEMORY), self._watched():
+        with ended_in_time(self.root / "stack.txt"), SYSTEM.limited_memory(4 * MEMORY), self._watched():
             code, warned = called(attempt.words)
         faults = [*said_wrong(code, attempt, *self.capture.readouterr()), *warned, *self.seen]
         writes = attempt.when_refused if code == USAGE else attempt.writes

@@ -1,5 +1,7 @@
 """How many threads a run takes where that is left to the program."""
 
+import os
+
 import pytest
 
 from masonry.errors import SceneError
@@ -31,10 +33,10 @@ def test_large_displacement_has_one(idle):
 
 
 def test_a_busy_machine_has_one_for_any_size(monkeypatch):
-    monkeypatch.setattr(processors.os, "getloadavg", lambda: (99.0, 0.0, 0.0))
+    monkeypatch.setattr(os, "getloadavg", lambda: (99.0, 0.0, 0.0))
     model = models.model_of(*specimens.bricks((6, 6, 6), (2, 2, 2)), kind="tets")
     assert threads_for(model, AUTO) == 1
-    monkeypatch.setattr(processors.os, "getloadavg", lambda: (0.99, 0.0, 0.0))
+    monkeypatch.setattr(os, "getloadavg", lambda: (0.99, 0.0, 0.0))
     assert processors.free_processors() == processors.processors()
 
 

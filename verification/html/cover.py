@@ -7,11 +7,11 @@ from importlib import metadata, resources
 from pathlib import Path
 from string import Template
 
+from geometry.operating_system import SYSTEM
 from masonry import __version__
 from masonry.errors import SceneError
 from masonry.jit.sources import source_hash
 from verification.html.page import WORDS, Chapter, badge, escape, paragraph, table, without_dead_links
-from verification.records import processor
 
 AREAS = (
     *("Closed forms", "Loading rate", "Shipped settings", "Threads", "Stability", "Leaving out"),
@@ -87,10 +87,12 @@ def origin(seconds: float) -> str:
         "date": datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         "program": f"masonry-dem {__version__}, sources {source_hash()}",
         "packages": f"Python {platform.python_version()}, {packages}",
-        "machine": f"{processor()}, {os.cpu_count()} logical cores, {platform.system()} {platform.machine()}",
+        "machine": ", ".join(
+            (SYSTEM.processor_name(), f"{os.cpu_count()} logical cores", f"{platform.system()} {platform.machine()}")
+        ),
         "this report": f"{seconds:.0f} s, one thread a run, compiling included",
     }
     return table(["", "where these numbers come from"], facts.items())
 
 
-__all__ = ["WORDS", "cover", "html_of", "origin", "processor"]
+__all__ = ["WORDS", "cover", "html_of", "origin"]
