@@ -122,7 +122,7 @@ def test_a_reader_that_loops_is_stopped_where_no_system_sees_to_it(monkeypatch, 
     monkeypatch.setenv(CHOICE, "plain")
     monkeypatch.setattr(sandbox, "SYSTEM", PLAIN)
     monkeypatch.setattr(sandbox, "START", 1)
-    monkeypatch.setattr(sandbox, "PATIENCE", 600)
+    monkeypatch.setattr(sandbox, "PATIENCE", 60)
     (tmp_path / "any.txt").write_text("x")
     with pytest.raises(GeometryError, match="more than 1 s of processor time"):
         guarded("tests.geometry.files.bad_readers", "loop", tmp_path / "any.txt")
@@ -181,3 +181,15 @@ def opens_text(call: ast.Call) -> bool:
     modes = [word.value for word in call.args if isinstance(word, ast.Constant) and isinstance(word.value, str)]
     is_builtin = isinstance(call.func, ast.Name) and name == "open"
     return (is_builtin or (name == "open" and bool(modes))) and not any("b" in mode for mode in modes)
+
+
+def test_a_process_ends_with_the_one_that_began_it_and_has_an_empty_standard_input():
+    code = (
+        "import sys, time; from geometry.child_python import end_with_parent; end_with_parent()\n"
+        "print(repr(sys.stdin.read()), flush=True); time.sleep(600)"
+    )
+    child = subprocess.Popen([sys.executable, "-c", code], cwd=HOUSE, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert child.stdout.readline().strip() == b"''" and child.poll() is None
+    child.stdin.close()
+    assert child.wait(60) == 1
+    child.stdout.close()
