@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 
 def scenes() -> dict[str, str]:
