@@ -32,6 +32,27 @@ def test_the_largest_velocity_may_lie_between_two_samples():
     assert motion.peak_velocity == pytest.approx(1.0) and motion.velocity_at(np.array([0.5])) == pytest.approx([0.25])
 
 
+def test_the_largest_velocity_lies_where_an_acceleration_of_unlike_ends_passes_through_zero():
+    """From 2 to -1 m/s2 in a second: at 2/3 s, before it comes down to 0.5 and to -0.5 m/s."""
+    motion = from_acceleration(np.array([0.0, 1.0, 2.0]), np.array([2.0, -1.0, -1.0]))
+    assert motion.peak_velocity == pytest.approx(2.0 / 3.0, rel=1e-12)
+    back = from_acceleration(np.array([0.0, 2.0, 5.0]), np.array([-1.0, 3.0, 1.0]))
+    assert back.peak_velocity == pytest.approx(8.0) and back.velocity.min() == 0.0, "it is the end that is largest"
+
+
+@pytest.mark.parametrize("count", [3, 4])
+@pytest.mark.parametrize("end", [2.0, 0.6])
+def test_the_accelerations_at_both_ends_of_few_samples_are_those_of_the_polynomial_through_them(count, end):
+    """Of a velocity a parabola or a cubic from rest to rest; of a displacement one degree more, without a slope."""
+    t = np.linspace(0.0, end, count)
+    more = 0.0 if count == 3 else 0.7
+    motion = from_velocity(t, t * (end - t) * (1.0 + more * t))
+    assert motion.acceleration[[0, -1]] == pytest.approx([end, -end * (1.0 + more * end)], rel=1e-9)
+    place = t**2 * (3.0 * end - 2.0 * t) if count == 3 else t**2 * (end - t) ** 2
+    exact = [6.0 * end, -6.0 * end] if count == 3 else [2.0 * end**2, 2.0 * end**2]
+    assert from_displacement(t, place).acceleration[[0, -1]] == pytest.approx(exact, rel=1e-9)
+
+
 def test_a_linear_baseline_leaves_no_residual():
     motion = from_acceleration(TIME, RANDOM.normal(size=300))
     straightened = motion.with_linear_baseline()

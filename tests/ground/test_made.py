@@ -66,6 +66,40 @@ def test_the_spectra_of_eurocode_8_at_its_corners():
     assert damped.at(np.array([0.2, 0.6, 2.4])) == pytest.approx(1.8 * 2.5 * np.sqrt(0.4) * np.array([1, 0.5, 0.0625]))
 
 
+EUROCODE_8 = {
+    (1, "A"): (1.0, 0.15, 0.4, 2.0),
+    (1, "B"): (1.2, 0.15, 0.5, 2.0),
+    (1, "C"): (1.15, 0.2, 0.6, 2.0),
+    (1, "D"): (1.35, 0.2, 0.8, 2.0),
+    (1, "E"): (1.4, 0.15, 0.5, 2.0),
+    (2, "A"): (1.0, 0.05, 0.25, 1.2),
+    (2, "B"): (1.35, 0.05, 0.25, 1.2),
+    (2, "C"): (1.5, 0.1, 0.25, 1.2),
+    (2, "D"): (1.8, 0.1, 0.3, 1.2),
+    (2, "E"): (1.6, 0.05, 0.25, 1.2),
+}
+"""EN 1998-1:2004, tables 3.2 and 3.3: by type and ground S, T_B, T_C and T_D (s)."""
+
+
+@pytest.mark.parametrize(("kind", "soil"), EUROCODE_8)
+def test_each_number_of_tables_3_2_and_3_3_holds_on_both_of_its_sides(kind, soil):
+    """A hundredth before and behind each corner, where another branch of the spectrum is; 5 % of damping, 3 m/s2."""
+    factor, first, second, third = EUROCODE_8[kind, soil]
+    before, behind = 0.99, 1.01
+    periods = [before * first, behind * first, before * second, behind * second, before * third, behind * third]
+    branches = [(1.0 + 1.5 * before) / 2.5, 1.0, 1.0, 1.0 / behind]
+    branches += [second / (before * third), second / (behind**2 * third)]
+    spectrum = Eurocode8(kind, soil, 3.0).at(np.array([0.0, *periods]))
+    assert spectrum == pytest.approx(3.0 * factor * np.array([1.0, *(2.5 * np.array(branches))]), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("damping", "eta"), [(0.05, 1.0), (0.02, (10 / 7) ** 0.5), (0.28, (10 / 33) ** 0.5), (0.29, 0.55)]
+)
+def test_damping_lowers_a_spectrum_to_no_less_than_55_per_cent(damping, eta):
+    assert Eurocode8(1, "D", 1.0, damping).at(np.array([0.3])) == pytest.approx([1.35 * 2.5 * eta])
+
+
 def test_a_table_is_straight_between_logarithms():
     table = TableSpectrum((0.1, 1.0), (10.0, 1.0))
     assert table.at(np.array([0.01, 0.1, 0.1**0.5, 1.0, 9.0])) == pytest.approx([10.0, 10.0, 10.0**0.5, 1.0, 1.0])

@@ -4,15 +4,18 @@ import csv
 import json
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import tomli_w
 from scipy.stats import binomtest
 
 from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.sweeps.fragility.fragility import FELL, fragility_of
 from masonry.sweeps.fragility.fragility_files import columns_of, numbers_of, write_fragility
+from masonry.sweeps.fragility.intensity import intensities
 from masonry.sweeps.fragility.request import FragilityRequest, read_request
 from masonry.sweeps.job import Job
 from masonry.sweeps.planned_runs import Planned, plan
@@ -70,11 +73,11 @@ def test_a_run_that_was_stopped_counts_where_it_fell_before_and_a_lost_one_never
 
 
 def test_many_intensities_are_put_into_classes_of_as_many_runs():
-    planned = [Planned(Job("couplet"), {SEED: n, SCALE: 0.1 + 0.01 * n}, {}) for n in range(40)]
+    planned = [Planned(Job("couplet"), {SEED: n, SCALE: 0.1 * 1.3**n}, {}) for n in range(40)]
     rows = [{"status": "OK"} | ({FELL: 1.0} if n in (10, *range(20, 40)) else {}) for n in range(40)]
     levels = fragility_of(FragilityRequest(SCALE), planned, rows).levels
     assert [level.runs for level in levels] == [5] * 8 and sum(level.fallen for level in levels) == 21
-    assert levels[0].intensity == pytest.approx(0.12)
+    assert levels[0].intensity == pytest.approx(0.1 * 1.3**2), "the median, and not the mean"
 
 
 def test_separated_runs_have_no_curve_and_the_files_say_why(tmp_path):
@@ -116,6 +119,17 @@ def test_the_intensity_can_be_that_of_the_motion_itself_and_records_lie_beside_t
     keys = {run.job.key() for run in planned}
     (tmp_path / "weak.csv").write_text((tmp_path / "strong.csv").read_text())
     assert len(keys & {run.job.key() for run in plan(read(tmp_path / "sweep.toml"))}) == 2
+
+
+@pytest.mark.parametrize("strong", ["x", "y"])
+def test_the_intensity_of_a_motion_along_two_axes_is_that_of_the_stronger_one(strong):
+    sines = {axis: f"{0.3 if axis == strong else 0.1} g * sin(2 pi t / 0.5 s)" for axis in "xy"}
+    resolved = tomli_w.dumps({"ground": [sines | {"duration": "2 s"}]})
+    run = SimpleNamespace(job=SimpleNamespace(resolved=resolved))
+    weaker = SimpleNamespace(job=SimpleNamespace(resolved=resolved.replace("0.3 g", "0.1 g")))
+    for request in (FragilityRequest("peak_acceleration"), FragilityRequest("pseudo_acceleration", 0.7)):
+        (both, one), _ = intensities(request, [run, weaker])
+        assert both == pytest.approx(3.0 * one, rel=1e-6)
 
 
 TABLE = {"intensity": SCALE}

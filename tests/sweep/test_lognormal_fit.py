@@ -6,6 +6,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 from scipy.special import log_ndtr, ndtr
+from scipy.stats import norm
 
 from masonry.sweeps.fragility.lognormal_fit import lognormal_fit, why_no_fit
 
@@ -68,6 +69,27 @@ def test_bands_hold_the_truth_as_often_as_they_say_though_runs_of_a_record_go_to
             counts.append((low <= truth) & (truth <= high))
     assert np.mean(inside, axis=0) == pytest.approx([0.9] * 3, abs=0.06)
     assert np.mean(alone, axis=0).mean() < np.mean(inside, axis=0).mean()  # as if all were independent: too narrow
+
+
+def test_runs_of_a_record_add_up_their_scores_with_the_factor_of_few_records():
+    """White's sandwich for 7 records of unlike numbers of runs, G/(G - 1): scores by differences of the likelihood."""
+    rng = np.random.default_rng(8)
+    record = np.repeat(np.arange(7), [2, 5, 3, 6, 4, 7, 3])
+    intensity = rng.uniform(0.2, 0.8, len(record))
+    fallen = intensity * np.exp(0.4 * rng.normal(size=7))[record] > 0.45
+    fit = lognormal_fit(intensity, fallen, record)
+    columns, signs = np.column_stack([np.ones(len(record)), np.log(intensity)]), np.where(fallen, 1.0, -1.0)
+
+    def loss(line):
+        return log_ndtr(signs * (columns @ line))
+
+    h = 1e-5
+    scores = np.column_stack([(loss(fit.line + h * e) - loss(fit.line - h * e)) / (2.0 * h) for e in np.eye(2)])
+    sums = np.array([scores[record == one].sum(axis=0) for one in range(7)])
+    at = columns @ fit.line
+    weight = norm.pdf(at) ** 2 / (ndtr(at) * ndtr(-at))
+    inverse = np.linalg.inv(columns.T @ (columns * weight[:, None]))
+    assert fit.of_line == pytest.approx(7.0 / 6.0 * inverse @ sums.T @ sums @ inverse, rel=1e-5)
 
 
 @settings(max_examples=60, deadline=None)

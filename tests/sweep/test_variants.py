@@ -5,7 +5,7 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.scene import load
-from masonry.sweeps.sensitivity.variants import KINDS, variants
+from masonry.sweeps.sensitivity.variants import KINDS, pace, variants
 from tests.monitors.test_collision import slider
 from tests.scenes import load as load_text
 
@@ -36,8 +36,9 @@ def test_a_drive_to_an_accuracy_gets_a_finer_one_and_a_constant_rate():
     finer, rate = settings(load("couplet"), "pace")
     assert finer == {"drive.accuracy": pytest.approx(0.01 / 3)} and rate == {"drive.steps": 20000}
     assert settings(load("couplet"), "damping") == [{"drive.steps": 20000, "solver.damping": 0.4}]
-    coarser, _ = settings(load("couplet", {"drive.accuracy": "0.02 %"}), "pace")
-    assert coarser == {"drive.accuracy": pytest.approx(6e-4)}
+    assemblies = [assemble(load("couplet", {"drive.accuracy": accuracy})) for accuracy in (2.97e-4, 3.03e-4)]
+    made = [pace(assembly)[0].settings["drive.accuracy"] for assembly in assemblies]
+    assert made == pytest.approx([3 * 2.97e-4, 1.01e-4]), "0.01 % is the finest that there is"
 
 
 def test_a_drive_at_a_rate_gets_half_of_it_and_one_in_steps_twice_as_many():

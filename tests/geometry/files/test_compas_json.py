@@ -119,6 +119,26 @@ def test_places_of_model_group_and_element_are_applied_one_after_the_other(tmp_p
     assert high.max(axis=0)[:2] == pytest.approx([5.0, LENGTH])
 
 
+def test_a_frame_places_a_block_that_is_alike_along_none_of_its_axes(tmp_path):
+    """Its x along y, its y against x, of lengths that do not count: a brick that begins at the frame, not in its
+    middle."""
+    frame = {"point": [5.0, 1.0, 2.0], "xaxis": [0.0, 2.0, 0.0], "yaxis": [-3.0, 0.5, 0.0]}
+    placed = model(b=element("b", frame, name="middle"))
+    (surface,) = (one for one in read_compas(write(tmp_path / "m.json", placed)) if one.name == "middle")
+    low, high = surface.points.min(axis=0), surface.points.max(axis=0)
+    assert low == pytest.approx([5.0 - WIDTH, 1.0, 2.0]) and high == pytest.approx([5.0, 1.0 + LENGTH, 2.0 + HEIGHT])
+
+
+def test_a_block_says_by_itself_that_it_is_a_support(tmp_path):
+    """Of compas_assembly: its attribute, where the node says nothing."""
+    content = samples.assembly()
+    nodes = content["data"]["graph"]["data"]["node"]
+    del nodes["0"]["is_support"]
+    nodes["2"]["block"]["data"]["attributes"]["is_support"] = True
+    names = [surface.name for surface in read_compas(write(tmp_path / "m.json", content))]
+    assert names == ["block 0", "block 1", "support"]
+
+
 def test_a_mirrored_model_looks_outwards_and_millimetres_are_told_by_unit(tmp_path):
     mirror = [[-1000.0, 0.0, 0.0, 0.0], [0.0, 1000.0, 0.0, 0.0], [0.0, 0.0, 1000.0, 0.0], IDENTITY[3]]
     report = masonry.import_blocks(write(tmp_path / "m.json", model(matrix(mirror))), unit="mm")

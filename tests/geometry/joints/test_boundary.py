@@ -117,6 +117,8 @@ def test_a_plane_has_all_faces_in_it_and_those_that_are_free():
     assert owner[free_faces_in_plane(blocks, joints, 0, 6.0 + 1e-9)].tolist() == [4]
     with pytest.raises(GeometryError, match="nearest planes with faces are z = 0 mm, z = 1000 mm, z = 2000 mm"):
         faces_in_plane(blocks, 2, 0.4)
+    with pytest.raises(GeometryError, match="faces are x = 4000 mm, x = 5000 mm, x = 6000 mm$"):
+        faces_in_plane(blocks, 0, 5.2)
     with pytest.raises(GeometryError, match="lie in joints"):
         free_faces_in_plane(blocks, joints, 0, 3.5)
 

@@ -141,6 +141,13 @@ def test_a_spacing_is_met_with_the_fewest_points():
     assert len(points_of(flat, "vertex", {"spacing": 0.05})[1]) == 3 * 2
 
 
+@pytest.mark.parametrize(("spacing", "count"), [(0.2501, 9), (0.2499, 36), (0.1251, 36), (0.1249, 81)])
+def test_three_points_in_a_triangle_lie_half_an_edge_apart(spacing, count):
+    """The longest edge of the fan of this triangle is 0.5 m."""
+    flat = np.array([[0.0, 0.0], [0.5, 0.0], [0.2, 0.3]])
+    assert len(points_of(flat, "gauss", {"spacing": spacing})[1]) == count
+
+
 def test_ten_points_through_the_thickness_and_two_along_the_other_edges():
     joints = find_joints(couplet(0.2, 0.05, 0.06, (2, 1, 1)).blocks, "gauss", (2, 10, 2))
     for patch in range(len(joints.patch_start) - 1):

@@ -5,11 +5,15 @@ import pytest
 
 from geometry.blocks import TetMesh
 from geometry.joints.boundary import surface_nodes
+from geometry.joints.covered import covered_fractions
 from geometry.joints.extents import joint_extents
-from geometry.joints.find import find_joints
+from geometry.joints.find import find_joints, stated_joints
+from geometry.joints.gaps import facing_faces
 from geometry.joints.heal import mend
 from geometry.joints.nearby import Rule, nearby_joints
+from geometry.joints.point_density import Density
 from geometry.joints.quality import quality
+from geometry.joints.second_moments import moments
 from geometry.joints.tributary_areas import tiles
 from geometry.meshes.fan import mesh_by_fans
 from geometry.polyhedra.construct import concatenate, extrude, from_boxes, from_faces
@@ -54,6 +58,19 @@ def test_a_filler_that_is_narrower_than_its_gap_leaves_the_rest_of_it_to_be_refu
     beside = boxes(((0, 0, 0), (100, 50, 60)), ((0, 0, 60), (20, 50, 60.5)), ((0, 0, 60.5), (100, 50, 120)))
     with pytest.raises(ValueError, match=r"1 gap between facing faces.*gap of 0.5 mm between 'below' and 'above'"):
         mend(beside, 0.1 * MM, ["below", "strip", "above"])
+
+
+@pytest.mark.parametrize(
+    ("width", "gap", "tolerance", "faces"),
+    [(0.1013, 0.04, 0.1, 1), (0.0992, 0.04, 0.1, 0), (0.1013, 0.05, 0.02, 1), (0.0992, 0.05, 0.02, 0)],
+)
+def test_faces_are_set_against_each_other_where_they_are_broader_than_the_tolerance_and_twice_their_gap(
+    width, gap, tolerance, faces
+):
+    """By a strip of 80 mm: twice its area over its outline is 80 w/(80 + w)."""
+    blocks = boxes(((0, 0, 0), (100, 80, 50)), ((100 - width, 0, 50 + gap), (200, 80, 90)))
+    facing = facing_faces(blocks, 0.1 * MM, tolerance * MM)
+    assert facing.size == pytest.approx([gap * MM] * faces, rel=1e-6)
 
 
 def test_corners_of_a_polygon_stand_for_half_of_the_triangles_beside_them():
@@ -147,6 +164,52 @@ def test_within_a_unit_a_joint_reaches_as_far_as_the_smaller_of_its_blocks():
     assert size[inner][along[inner]] == pytest.approx(np.full(inner.sum(), 0.04))
     assert size[inner][~along[inner]] == pytest.approx(np.full(inner.sum(), 0.03))
     assert size[~inner][along[~inner]] == pytest.approx(np.full((~inner).sum(), 0.4))
+
+
+def test_a_joint_of_two_units_is_one_whichever_of_their_blocks_comes_first():
+    """Two blocks of unit 5 below two of unit 2, numbered so that one pair begins below and the other one above."""
+    blocks = boxes(
+        ((0, 0, 0), (100, 80, 50)),
+        ((0, 0, 50), (100, 80, 100)),
+        ((100, 0, 50), (250, 80, 100)),
+        ((100, 0, 0), (250, 80, 50)),
+        units=[5, 2, 2, 5],
+    )
+    joints = find_joints(blocks)
+    axes, size = joint_extents(blocks, joints)
+    bed = blocks.unit[joints.block_a] != blocks.unit[joints.block_b]
+    assert set(zip(joints.block_a[bed].tolist(), joints.block_b[bed].tolist(), strict=True)) == {(0, 1), (2, 3)}
+    assert size[bed] == pytest.approx(np.tile([0.25, 0.08], (int(bed.sum()), 1)))
+    assert np.abs(axes[bed][:, 0, 0]) == pytest.approx(np.ones(int(bed.sum())))
+
+
+@pytest.mark.parametrize(("gap", "covered"), [(1.7, 1.0), (1.9, 0.0)])
+def test_a_joint_half_way_over_a_gap_covers_faces_that_are_near_beside_their_size(gap, covered):
+    """A hundredth of the root of 0.1 x 0.08 m2 is 0.894 mm, to each side of the joint; a third of the lower face."""
+    blocks = boxes(((0, 0, 0), (300, 80, 50)), ((0, 0, 50 + gap), (100, 80, 90)))
+    joints = stated_joints(nearby_joints(blocks, Rule(5 * MM, 0.1 * MM, 0.1)), Density("gauss", 2))
+    share = covered_fractions(blocks, joints)
+    faces = {block: [f for f in blocks.faces_of(block) if share[f] > 0.0] for block in (0, 1)}
+    assert [share[f] for f in faces[1]] == pytest.approx([covered] * bool(covered))
+    assert [share[f] for f in faces[0]] == pytest.approx([1 / 3]), "its root is 1.55 mm: near enough in both cases"
+
+
+def test_moments_of_a_face_are_its_pull_by_arm_and_the_twist_of_its_shears():
+    """Two faces of unlike points and normals, under forces that nothing makes alike; sums by hand about their
+    middles."""
+    blocks = boxes(((0, 0, 0), (300, 200, 50)), ((40, 30, 50), (300, 200, 100)), ((300, 0, 0), (420, 150, 50)))
+    joints = find_joints(blocks, "gauss", [2, 3, 2])
+    rng = np.random.default_rng(4)
+    pull, shear = rng.normal(size=len(joints.area)), rng.normal(size=(len(joints.area), 3))
+    shear -= np.einsum("ci,ci->c", shear, joints.normal)[:, None] * joints.normal
+    made = moments(joints, pull, shear)
+    assert len(made) == 2
+    for patch, moment in enumerate(made):
+        own = joints.patch == patch
+        arm = joints.point[own] - np.average(joints.point[own], axis=0, weights=joints.area[own])
+        normal = joints.normal[own][0]
+        twist = sum(normal @ np.cross(a, s) for a, s in zip(arm, shear[own], strict=True))
+        assert moment == pytest.approx(pull[own] @ arm + twist * normal)
 
 
 def test_nodes_of_a_face_share_out_its_area_a_third_of_each_triangle():
