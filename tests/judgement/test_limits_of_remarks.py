@@ -70,6 +70,8 @@ def test_tets_lock_from_a_poisson_ratio_of_three_tenths_on(share, told):
         (0.301, "13 % in shear, 22 % in bending, 11 % pressed"),
         (0.4, "13 % in shear, 22 % in bending, 11 % pressed"),
         (0.401, "16 % in shear, 30 % in bending, 23 % pressed"),
+        (0.489, "21 % in shear, 72 % in bending, 92 % pressed"),
+        (0.4901, "24 % in shear, 4 times in bending, 8 times pressed"),
         (0.4991, "24 % in shear, 11 times in bending, 60 times pressed"),
         (0.49999, "24 % in shear, 11 times in bending, 60 times pressed"),
     ],
