@@ -157,7 +157,10 @@ def _require_in(specimen: Specimen, chosen: np.ndarray, on: str, at: np.ndarray)
         raise SceneError(f"{where} lies outside of {what}, and in no other block; give a place in it, or leave it out")
     names = [name for name, members in specimen.sets.items() if members.tolist() == [others[0]]]
     hint = f"on = '{names[0]}'" if names else "a set of this block alone"
-    raise SceneError(f"{where} lies outside of {what}; block {others[0]} holds it: {hint}")
+    raise SceneError(
+        f"{where} lies outside of {what}; block {others[0]} holds it: {hint}, if no support holds that one; or give "
+        "another place, or leave it out"
+    )
 
 
 def _add_force(

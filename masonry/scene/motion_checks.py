@@ -8,6 +8,7 @@ from masonry.scene.variant import LIMITS
 
 STEPS_A_LAYER = 20
 """Of the settling, at least, for each layer in which the weight comes on."""
+ALONE = "the load of [limit] grows alone"
 
 
 def require_fit(scene: Any) -> None:
@@ -19,14 +20,14 @@ def require_fit(scene: Any) -> None:
                 raise KeyedError(f"solver.{key}", "a run of large displacement does not stop there; leave it out")
     if scene.scatter is not None and "default" in scene.scatter.groups:
         raise KeyedError("scatter.default", "scatter needs a group of its own, with its own table of contacts")
+    if scene.limit is not None:
+        _limit(scene)
     _real_time(scene)
     if scene.damping is not None:
         _damping(scene)
     if scene.gravity is not None:
         _gravity(scene)
     _shaking(scene)
-    if scene.limit is not None:
-        _limit(scene)
     if scene.fill:
         _fill(scene)
     for k, bar in enumerate(scene.bar):
@@ -79,7 +80,7 @@ def _grows(scene: Any) -> None:
             "vehicle.position",
             "missing; a run loads one place: `masonry limit` finds the worst one; give it, for example '1.3 m'",
         )
-    alone = "the load of [limit] grows alone, paced by what the specimen does; leave this out, or limit.accuracy"
+    alone = f"{ALONE}, paced by what the specimen does; leave this out, or limit.accuracy"
     if scene.drive is not None:
         raise KeyedError("drive", alone)
     for k, traction in enumerate(scene.traction):
@@ -87,18 +88,20 @@ def _grows(scene: Any) -> None:
             raise KeyedError(f"traction.{k}.history", alone)
     if scene.gravity is not None and scene.gravity.paths:
         raise KeyedError("gravity.tilt" if scene.gravity.tilt is not None else "gravity.history", alone)
-    if scene.motion:
-        raise KeyedError("motion.0", alone)
+    for key, is_there in {"ground": scene.ground, "quiet": scene.quiet}.items():
+        if is_there:
+            raise KeyedError(key, f"{ALONE}; leave this out, or limit.accuracy")
     for key, is_there in {
-        "masses": scene.solver.masses == "real",
-        "duration": scene.solver.duration is not None,
-        "until": scene.solver.until is not None,
-        "damping": scene.solver.damping == 0.0,
+        "motion.0": bool(scene.motion),
+        "damping": scene.damping is not None,
+        "solver.masses": scene.solver.masses == "real",
+        "solver.duration": scene.solver.duration is not None,
+        "solver.until": scene.solver.until is not None,
+        "solver.damping": scene.solver.damping == 0.0,
+        **_in_real_time(scene),
     }.items():
         if is_there:
-            raise KeyedError(
-                f"solver.{key}", "a load that grows is balanced by damped motion with scaled masses; leave it out"
-            )
+            raise KeyedError(key, "a load that grows is balanced by damped motion with scaled masses; leave it out")
 
 
 def _large_only(scene: Any) -> None:
@@ -110,14 +113,16 @@ def _large_only(scene: Any) -> None:
         if contact.normal_dashpot is not None:
             raise KeyedError(f"contact.{group}.normal_dashpot", f"{only}; solver.damping serves both")
         if contact.restitution is not None:
-            raise KeyedError(f"contact.{group}.restitution", f"{only}; [damping] serves both")
+            raise KeyedError(f"contact.{group}.restitution", f"{only}; [damping] serves both, with real masses")
     for k, traction in enumerate(scene.traction):
         if traction.stays_in_space:
             raise KeyedError(f"traction.{k}.line_of_action", f"{only}; in small displacement no load changes its place")
     if "default" in scene.contact:
         raise KeyedError("contact.default", f"{only}; name the groups of contacts, such as [contact.unit_unit]")
     if scene.solver.until is not None:
-        raise KeyedError("solver.until", f"{only}; a run of small displacements ends with its loading or its duration")
+        real = scene.solver.masses == "real" or _is_timed(scene)
+        also = "" if real else ", masses = 'real' and a duration such as '10 s' in [solver]"
+        raise KeyedError("solver.until", f"{only}{also}; small displacements end with their loading or their duration")
     for key in ("patch_points", "patch_points_per_edge"):
         if getattr(scene.specimen, key) is not None:
             raise KeyedError(f"specimen.{key}", f"{only}; contact_points says where points of small displacements lie")
@@ -131,28 +136,43 @@ def _real_time(scene: Any) -> None:
         _of_real_masses(scene)
     if scene.solver.sampling is not None and "rows" in scene.solver.model_fields_set:
         raise KeyedError("solver.sampling", "rows and sampling exclude each other; keep one of them")
-    varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
-    timed = scene.drive is not None or bool((*scene.ground, *scene.waves)) or varies
-    if scene.motion and not timed and scene.solver.duration is None:
+    ends = _is_timed(scene) or scene.solver.duration is not None
+    if scene.motion and not ends:
         raise KeyedError("solver.duration", "missing; without a drive it says how long the run takes, such as '2 s'")
-    if scene.solver.until is not None and not timed and scene.solver.duration is None:
-        raise KeyedError("solver.duration", "missing; until = 'rest' needs it: the latest end, for example '10 s'")
+    if scene.solver.until is not None and not ends:
+        real = "" if scene.solver.masses == "real" else ", and solver.masses = 'real'"
+        raise KeyedError("solver.duration", f"missing; until = 'rest' needs it: the latest end, such as '10 s'{real}")
+
+
+def _is_timed(scene: Any) -> bool:
+    """Whether what loads it says how long a run takes."""
+    varies = any(load.paths for load in (*scene.traction, scene.gravity) if load is not None)
+    return scene.drive is not None or bool((*scene.ground, *scene.waves)) or varies
+
+
+def _in_real_time(scene: Any) -> dict[str, bool]:
+    """Keys that only a motion in real time has, and whether they are there."""
+    return {
+        "solver.sampling": scene.solver.sampling is not None,
+        "curve.x": scene.curve is not None and scene.curve.x == "time",
+        **{f"gauge.{k}.quantity": gauge.quantity != "displacement" for k, gauge in enumerate(scene.gauge)},
+    }
 
 
 def _of_real_masses(scene: Any) -> None:
     """What scaled masses cannot have."""
     real = "needs solver.masses = 'real': scaled masses do not move in real time"
-    in_real_time = {
+    own_time = {
         "solver.duration": scene.solver.duration is not None,
         "damping": scene.damping is not None,
-        "motion.0": bool(scene.motion),
-        "solver.sampling": scene.solver.sampling is not None,
-        "curve.x": scene.curve is not None and scene.curve.x == "time",
-        **{f"gauge.{k}.quantity": gauge.quantity != "displacement" for k, gauge in enumerate(scene.gauge)},
+        **_in_real_time(scene),
     }
-    for key, is_there in in_real_time.items():
+    for key, is_there in own_time.items():
         if is_there:
             raise KeyedError(key, real)
+    if scene.motion:
+        ends = "" if _is_timed(scene) else ", and a solver.duration such as '2 s'"
+        raise KeyedError("motion.0", f"needs solver.masses = 'real'{ends}: scaled masses do not move in real time")
     if scene.settle is not None and scene.settle.steps == 0:
         raise KeyedError("settle.steps", f"0 {real}; give 1 or more, or leave the table out")
 
@@ -170,12 +190,11 @@ def _ground(scene: Any) -> None:
     if scene.solver.masses == "scaled":
         raise KeyedError(
             "solver.masses",
-            "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; leave it out",
+            "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; say 'real', or "
+            "leave it out",
         )
     if scene.is_controlled:
         raise KeyedError("drive.accuracy", "takes no time; beside [ground] give drive.rate, or a history with times")
-    if scene.grows:
-        raise KeyedError("ground", "the load of [limit] grows alone; leave this out, or limit.accuracy")
     if not scene.support and scene.floor is None:
         raise KeyedError("ground", "nothing stands on the ground: give a table [[support]], or a [floor]")
     _each_ground(scene)
@@ -187,11 +206,11 @@ def _ground(scene: Any) -> None:
 def _quiet(scene: Any) -> None:
     """Waves in real time, which bring the motion of the ground themselves; a dashpot bears no weight."""
     if scene.solver.masses == "scaled":
-        raise KeyedError("solver.masses", "waves run in real time: scaled masses have others; leave it out")
+        raise KeyedError(
+            "solver.masses", "waves run in real time: scaled masses have others; say 'real', or leave it out"
+        )
     if scene.is_controlled:
         raise KeyedError("quiet", "an accuracy controls the drive only; give drive.steps or drive.rate")
-    if scene.grows:
-        raise KeyedError("quiet", "the load of [limit] grows alone; leave this out, or limit.accuracy")
     if scene.ground:
         raise KeyedError("quiet", "ground that moves as a whole has no waves: keep [ground], or give quiet.wave")
     if scene.has_dead_loads and not scene.support and scene.floor is None:

@@ -18,6 +18,7 @@ RIVALS = (
     {"divisions", "cells"},
     {"total", "per_unit", "size"},
     {"scale", "peak"},
+    {"rows", "sampling"},
     {"record", "made"},
     {"radius", "span"},
     {"angle", "rise"},

@@ -102,8 +102,8 @@ class _Base:
     def planned(self, point: Mapping[str, Any]) -> Planned:
         settings = self.relative | dict(point)
         plain = {key: value for key, value in settings.items() if not isinstance(value, Times)}
-        of_itself = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of is None}
-        of_another = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of is not None}
+        of_itself = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of in (None, k)}
+        of_another = {k: v for k, v in settings.items() if isinstance(v, Times) and v.of not in (None, k)}
         if of_itself:
             if self.scene is None:
                 self.scene = tomllib.loads(Job(self.sweep.scene, self.fixed).resolved)
@@ -141,12 +141,27 @@ def _at(scene: dict[str, Any], key: str, of: str) -> Any:
     if of in scene:
         return scene[of]
     at: Any = scene
-    for part in split_key(of):
+    parts = split_key(of)
+    for n, part in enumerate(parts, start=1):
         if isinstance(at, list) and part.isdecimal() and len(part) < 9 and int(part) < len(at):
             at = at[int(part)]
         elif isinstance(at, dict) and part in at:
             at = at[part]
         else:
-            known = at if isinstance(at, dict) else ()
+            fits = _is_number if n == len(parts) else _is_table
+            known = [name for name, value in at.items() if fits(value)] if isinstance(at, dict) else ()
             raise SceneError(f"{key}: {of} is not in the scene, nothing to multiply; {nearest(part, known)}")
     return at
+
+
+def _is_table(value: Any) -> bool:
+    return isinstance(value, dict | list)
+
+
+def _is_number(value: Any) -> bool:
+    """Whether it is a number or a quantity."""
+    try:
+        si(value, "")
+    except SceneError:
+        return False
+    return True

@@ -11,7 +11,8 @@ from masonry.sweeps.read import Sweep, is_number, value_of
 MOST, MOST_VALUES = 100_000, 5_000_000
 """Runs of one sweep, and values that it sets in all of them together."""
 Point = dict[str, Any]
-RANGE = "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = ...}"
+WORDS, SCALES = ("from", "to", "scale", "values", "times"), ("linear", "log")
+RANGE = "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = {...}} of these"
 
 
 def points(sweep: Sweep) -> list[Point]:
@@ -71,11 +72,9 @@ def _axis(entry: Any, where: str) -> Any:
         values = entry["values"]
         return lambda place: value_of(values[int(place * len(values))], where)
     for word in entry:
-        if word not in ("from", "to", "scale"):
-            raise SceneError(
-                f"{where}: {word}: unknown key; {nearest(word, ('from', 'to', 'scale', 'values', 'times'))}"
-            )
-    if not {"from", "to"} <= set(entry) or entry.get("scale", "linear") not in ("linear", "log"):
+        if word not in WORDS:
+            raise SceneError(f"{where}: {word}: unknown key; {nearest(word, WORDS)}")
+    if not {"from", "to"} <= set(entry) <= {"from", "to", "scale"} or entry.get("scale", "linear") not in SCALES:
         raise SceneError(f"{where}: {RANGE}")
     return _between(entry["from"], entry["to"], entry.get("scale") == "log", where)
 

@@ -149,6 +149,49 @@ def test_a_key_cannot_follow_one_that_follows_another_itself(sweep):
         plan(sweep(f'{chain}[grid]\nconfinement = ["0.1 MPa"]'))
 
 
+RANGES = [
+    '{from = "1 MPa", to = "2 MPa"}',
+    '{from = "1 MPa", to = "2 MPa", scale = "log"}',
+    '{values = ["1 MPa", "2 MPa"]}',
+    "{times = {from = 0.5, to = 2}}",
+    "{times = {values = [0.5, 2]}}",
+]
+"""What the message about a range names."""
+
+
+@pytest.mark.parametrize(
+    "wrong", ["{times = 2}", "{times = [1, 2]}", "{values = []}", '{values = ["1 MPa"], scale = "log"}']
+)
+def test_words_of_a_range_that_are_used_wrong_are_told_with_all_ranges_there_are(sweep, wrong):
+    """And not as unknown keys, with themselves for the nearest."""
+    begin = f'[latin_hypercube]\nsamples = 2\n"{COHESION}" = '
+    with pytest.raises(SceneError, match="cohesion: write {from = .*scale = 'log'.*{values = .*{times = ") as error:
+        plan(sweep(begin + wrong))
+    assert "unknown" not in str(error.value)
+    for one in RANGES:
+        assert len(plan(sweep(begin + one))) == 2
+
+
+def test_what_may_be_multiplied_in_place_of_a_key_that_is_not_there_are_numbers(sweep):
+    """How a joint unloads is no number, nor is an exponent by confinement."""
+    body = '[grid]\n"{}" = {{times = [0.5, 2]}}\n'
+    with pytest.raises(SceneError, match="nothing to multiply; known here: [a-z_0-9, ]*stiffness") as error:
+        plan(sweep(body.format("contact.unit_unit.friction")))
+    words = str(error.value).partition("known here: ")[2].partition(";")[0].split(", ")
+    assert len(words) > 9 and not {"unloading", "coupling", "exponent_shear"} & set(words)
+    for word in words:
+        assert len(plan(sweep(body.format(f"contact.unit_unit.{word}")))) == 2
+
+
+def test_a_key_that_follows_itself_is_a_multiple_of_its_own(sweep):
+    """As a message about a misspelt `of` may lead to."""
+    body = '[grid]\n"{0}" = {{times = [0.5, 2], of = "{1}"}}\n'
+    with pytest.raises(SceneError, match="did you mean 'tan_friction_angle'"):
+        plan(sweep(body.format(FRICTION, FRICTION.replace("friction", "frction"))))
+    runs = plan(sweep(body.format(FRICTION, FRICTION)))
+    assert values(runs, FRICTION) == [(0.505,), (2.02,)]
+
+
 def test_a_key_can_follow_one_that_only_the_scene_gives(sweep):
     friction = "contact.unit_unit.tan_residual_friction_angle"
     (run,) = plan(sweep(f'[[list]]\n"{friction}" = {{times = 0.5, of = "{FRICTION}"}}'))

@@ -156,7 +156,8 @@ class Contact(Table):
         cap = ("closing_at_peak", "cap_shear_factor")
         for key in ("fracture_energy_compression", *cap):
             if getattr(self, key) is not None and self.crushing is None:
-                raise KeyedError(key, 'goes with crushing = "cap" or "cut-off"; name one of them')
+                words = 'crushing = "cap"' if key in cap else 'crushing = "cap" or "cut-off"; name one of them'
+                raise KeyedError(key, f"goes with {words}")
         for key in cap:
             if getattr(self, key) is not None and self.crushing == "cut-off":
                 raise KeyedError(key, 'belongs to crushing = "cap"; a cut-off has none: leave it out')
@@ -164,13 +165,12 @@ class Contact(Table):
             return
         if self.law == "elastic":
             raise KeyedError("crushing", "law elastic has no strength; choose another law: friction, linear, ...")
-        required = (
-            "compressive_strength",
-            *(("fracture_energy_compression", cap[0]) if self.crushing == "cap" else ()),
-        )
+        required = ("compressive_strength", "fracture_energy_compression", cap[0])
+        required = required if self.crushing == "cap" else required[:1]
         for key in required:
             if getattr(self, key) is None:
-                raise KeyedError(key, f'missing for crushing = "{self.crushing}"')
+                others = f", which needs {' and '.join(required)}" if len(required) > 1 else ""
+                raise KeyedError(key, f'missing for crushing = "{self.crushing}"{others}')
 
     @model_serializer(mode="wrap")
     def _write(self, handler: SerializerFunctionWrapHandler, info: SerializationInfo[Any]) -> dict[str, Any]:

@@ -151,7 +151,9 @@ class LimitLoad(Table):
         if self.history is None:
             return
         if self.run_accuracy is None:
-            raise KeyedError("history", "a run follows this history: that needs accuracy = '1 %'")
+            raise KeyedError(
+                "history", "a run follows this history: that needs accuracy = '1 %', and a table [[gauge]]"
+            )
         for key in ("up_to", "control", "until"):
             if getattr(self, key) is not None:
                 raise KeyedError(
