@@ -8,7 +8,6 @@ from masonry.scene.variant import LIMITS
 
 STEPS_A_LAYER = 20
 """Of the settling, at least, for each layer in which the weight comes on."""
-ALONE = "the load of [limit] grows alone"
 
 
 def require_fit(scene: Any) -> None:
@@ -80,7 +79,7 @@ def _grows(scene: Any) -> None:
             "vehicle.position",
             "missing; a run loads one place: `masonry limit` finds the worst one; give it, for example '1.3 m'",
         )
-    alone = f"{ALONE}, paced by what the specimen does; leave this out, or limit.accuracy"
+    alone = "the load of [limit] grows alone, paced by what the specimen does; leave this out, or limit.accuracy"
     if scene.drive is not None:
         raise KeyedError("drive", alone)
     for k, traction in enumerate(scene.traction):
@@ -90,7 +89,7 @@ def _grows(scene: Any) -> None:
         raise KeyedError("gravity.tilt" if scene.gravity.tilt is not None else "gravity.history", alone)
     for key, is_there in {"ground": scene.ground, "quiet": scene.quiet}.items():
         if is_there:
-            raise KeyedError(key, f"{ALONE}; leave this out, or limit.accuracy")
+            raise KeyedError(key, alone)
     for key, is_there in {
         "motion.0": bool(scene.motion),
         "damping": scene.damping is not None,
@@ -190,8 +189,8 @@ def _ground(scene: Any) -> None:
     if scene.solver.masses == "scaled":
         raise KeyedError(
             "solver.masses",
-            "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; say 'real', or "
-            "leave it out",
+            "ground that moves shakes real masses: scaled ones would answer with other forces of inertia; "
+            "say 'real', or leave it out",
         )
     if scene.is_controlled:
         raise KeyedError("drive.accuracy", "takes no time; beside [ground] give drive.rate, or a history with times")

@@ -12,7 +12,10 @@ MOST, MOST_VALUES = 100_000, 5_000_000
 """Runs of one sweep, and values that it sets in all of them together."""
 Point = dict[str, Any]
 WORDS, SCALES = ("from", "to", "scale", "values", "times"), ("linear", "log")
-RANGE = "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = {...}} of these"
+RANGE = (
+    "write {from = '0.1 MPa', to = '0.4 MPa'}, with scale = 'log' if you like, {values = [...]}, or {times = {...}} of "
+    "these"
+)
 
 
 def points(sweep: Sweep) -> list[Point]:
