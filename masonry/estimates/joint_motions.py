@@ -26,6 +26,8 @@ FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
 TURNED = 1e-3
 """Times the same opening: a joint that has never opened further at one edge than at the other does not bend."""
+LEAST_ARM = 1.0 / 12.0
+"""Of the depth of a joint: section modulus over area, of a triangle that opens from its tip; of a rectangle a sixth."""
 SLID = 1e-3
 """Share of the work of sliding that is not elastic, from which on a joint has slid."""
 
@@ -58,7 +60,9 @@ def bent(
     along = now.turn[face] / length
     corners, moment = corners_of(faces, face), abs(float(now.moment[face] @ along))
     depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
-    if turn * depth <= TURNED * tears_at or (not gave and moment < depth / 6.0 * (limit * faces.area[face] - force)):
+    if turn * depth <= TURNED * tears_at or (
+        not gave and moment < LEAST_ARM * depth * (limit * faces.area[face] - force)
+    ):
         return None
     many = spread(faces.polygons[face], along, np.cross(normal, along), middle)
     if limit == 0.0 and joint.compressive_strength is None:  # it turns about its very edge

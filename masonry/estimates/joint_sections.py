@@ -161,7 +161,8 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
     first = ELASTIC * (law.limit or presses) / section.depth
     last = max(farthest, 2.0 * first / ELASTIC)
     if law.limit > 0.0:
-        useless = max(2.0 * law.end, 2.0 * presses / PRESSED**2) / section.depth
+        opens = min(float(section.place.max()), 0.5 * section.depth)  # how far from the middle the edge lies that tears
+        useless = max(law.end / opens, 2.0 * presses / PRESSED**2 / section.depth)
         last = max(min(farthest, useless), 2.0 * first / ELASTIC)
     if np.isfinite(law.crushes[1]):
         last = max(last, OVER * law.crushes[1] / section.depth)

@@ -7,7 +7,8 @@ import pytest
 from masonry.assembly.assemble import assemble
 from masonry.estimates.joint_faces import faces_of, look_at, shear_of
 from masonry.estimates.joint_motions import slid
-from masonry.estimates.joint_sections import envelope, of_points, strength
+from masonry.estimates.joint_sections import envelope, of_points, spread, strength
+from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
 from tests.judgement.frames import SIDE, frame, moved, on_a_slab
@@ -48,6 +49,48 @@ def test_a_section_with_more_on_one_side_bears_the_largest_moment_of_all_opening
     law, farthest = envelope(Exponential(3e4, 3e4), JOINT, 1e-2), 2e-3
     by_hand = largest_moment(place, area, law, force, np.geomspace(1e-6, farthest, 400))
     assert strength(of_points(place, area), law, force, 0.0, farthest) == pytest.approx(by_hand, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("place", "area", "pressed"),
+    [
+        ([-0.02, 0.08], [0.012, 0.003], 0.0),
+        ([-0.08, 0.02], [0.003, 0.012], 0.0),
+        ([-0.01, 0.03], [0.003, 0.001], 0.0),
+        ([-0.02, 0.08], [0.012, 0.003], 750.0),
+    ],
+)
+def test_two_brittle_rows_bear_what_tears_the_one_that_opens(place, area, pressed):
+    """Its strength and its share of the pressure, by the way to the other row, about which nothing has torn yet; once
+    it has, pressure by the arm of the other one is less."""
+    place, area = np.array(place), np.array(area)
+    by_hand = (0.2e6 + pressed / area.sum()) * area[1] * (place[1] - place[0])
+    borne = strength(of_points(place, area), envelope(Brittle(), JOINT, 1e-3), -pressed, 0.0, 1e-3)
+    assert borne == pytest.approx(by_hand, rel=0.01)
+
+
+def largest_of_cuts(depth: float, area: float) -> float:
+    """m3: a triangle that tears from its tip bears most when some of the tip is gone (Timoshenko), over strength."""
+    moduli = []
+    for cut in np.linspace(0.0, 0.5, 51):
+        y = np.linspace(cut, 1.0, 2001)
+        whole, first, second = (np.trapezoid(y ** (power + 1), y) for power in (0, 1, 2))
+        moduli.append((second - first**2 / whole) / (first / whole - cut))
+    return 2.0 * area * depth * max(moduli)
+
+
+@pytest.mark.parametrize("along", [1.0, -1.0])
+def test_a_brittle_triangle_bears_its_elastic_moment_whichever_way_it_opens(along):
+    """Askew: from its wide side, which lies a third of its depth from its middle, or from its tip."""
+    corners = np.array([[0.0, 0.0, 0.0], [0.03, 0.2, 0.0], [-0.15, 0.1, 0.0]])
+    wide = (corners[1] - corners[0]) / np.linalg.norm(corners[1] - corners[0])
+    out = along * np.array([wide[1], -wide[0], 0.0])
+    section = spread([corners], out, np.cross([0.0, 0.0, 1.0], out), corners.mean(axis=0))
+    depth, area = float(np.ptp(corners @ out)), 0.5 * abs(np.cross(corners[1], corners[2])[2])
+    borne = strength(section, envelope(Brittle(), JOINT, 1e-3), 0.0, 0.0, 1e-3)
+    by_hand = area * depth / 6.0 if along > 0.0 else largest_of_cuts(depth, area)
+    assert section.area.sum() == pytest.approx(area, rel=0.01)
+    assert borne == pytest.approx(0.2e6 * by_hand, rel=0.04)
 
 
 @pytest.mark.parametrize("torn", [0.0, 0.25, 0.6])
