@@ -165,7 +165,7 @@ class Contact(Table):
             return
         if self.law == "elastic":
             raise KeyedError("crushing", "law elastic has no strength; choose another law: friction, linear, ...")
-        required = ("compressive_strength", "fracture_energy_compression", cap[0])
+        required: tuple[str, ...] = ("compressive_strength", "fracture_energy_compression", cap[0])
         required = required if self.crushing == "cap" else required[:1]
         for key in required:
             if getattr(self, key) is None:
