@@ -1,6 +1,8 @@
 """From a scene's words to the dofs they mean: supports, drive, tractions, gravity, and what they select."""
 
 import re
+from collections.abc import Iterable
+from contextlib import suppress
 
 import numpy as np
 
@@ -24,6 +26,10 @@ from masonry.scene.tables.loads_and_supports import Drive
 from masonry.scene.tables.types import ALSO, PLANE
 
 AXES = {"x": 0, "y": 1, "z": 2}
+SHOWN = ("z+", "z-", "x+", "x-", "y+", "y-")
+"""Directions of faces, in the order in which a message looks for one that there is."""
+WHOLE_BLOCKS = ("motion", "vehicle", "fill", "mass")
+"""Tables that select whole blocks, and no faces."""
 
 
 def conditions_of(
@@ -45,7 +51,8 @@ def conditions_of(
         where = f"traction.{k}.on"
         _, faces = select(specimen, joints, traction.on, where)
         if faces is None:
-            raise SceneError(f"{where} = '{traction.on}': a traction acts on a face, for example '{traction.on}.z+'")
+            example = example_of(specimen, joints, traction.on)
+            raise SceneError(f"{where} = '{traction.on}': a traction acts on a face{example}")
         if traction.stays_in_space and layout.deforms[specimen.blocks.face_block()[faces]].any():
             raise SceneError(
                 f"traction.{k}.line_of_action = 'fixed': {where} = '{traction.on}' are blocks that deform; a load that "
@@ -162,7 +169,8 @@ def _quiet_faces(
         where = f"quiet.{k}.on"
         chosen, faces = select(specimen, joints, quiet.on, where)
         if faces is None:
-            raise SceneError(f"{where} = '{quiet.on}': waves leave through faces, for example '{quiet.on}.z-'")
+            example = example_of(specimen, joints, quiet.on)
+            raise SceneError(f"{where} = '{quiet.on}': waves leave through faces{example}")
         if not layout.deforms[chosen].all():
             raise SceneError(
                 f"{where} = '{quiet.on}': rigid blocks have no waves; give them kinematics 'tets' or 'affine'"
@@ -260,8 +268,9 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
     if word not in specimen.sets and word[-1:] in "+-" and "." in word:
         name, _, face = word.rpartition(".")
     if name not in specimen.sets:
-        face_too = f"or a face of one, such as '{min(specimen.sets, default='bottom')}.z+'"
-        raise SceneError(f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}, {face_too}")
+        faces_too = "" if where.split(".")[0] in WHOLE_BLOCKS else free_face(specimen, joints, specimen.sets)
+        faces_too = faces_too and f", or a face of one, such as '{faces_too}'"
+        raise SceneError(f"{where} = '{word}' selects nothing; {nearest(name, specimen.sets)}{faces_too}")
     chosen = specimen.sets[name]
     if face is None:
         return chosen, None
@@ -269,6 +278,22 @@ def select(specimen: Specimen, joints: Joints, word: str, where: str) -> tuple[n
         return chosen, boundary.outer_faces(specimen.blocks, joints, chosen, face)
     except GeometryError as error:
         raise SceneError(f"{where} = '{word}': {error}") from None
+
+
+def free_face(specimen: Specimen, joints: Joints, names: Iterable[str]) -> str:
+    """A selector of an outer face of one of some sets, the first by name that has one; "" where none has."""
+    for name in sorted(names):
+        for direction in SHOWN:
+            with suppress(GeometryError):
+                boundary.outer_faces(specimen.blocks, joints, specimen.sets[name], direction)
+                return f"{name}.{direction}"
+    return ""
+
+
+def example_of(specimen: Specimen, joints: Joints, name: str) -> str:
+    """The end of a message that asks for a face of a set: one that there is."""
+    face = free_face(specimen, joints, [name] if name in specimen.sets else specimen.sets)
+    return f", for example '{face}'" if face else ""
 
 
 def _each_of(parts: list[tuple[np.ndarray, np.ndarray | None]], where: str) -> tuple[np.ndarray, np.ndarray | None]:

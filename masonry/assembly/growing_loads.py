@@ -5,7 +5,7 @@ import numpy as np
 
 from geometry.blocks import Joints, Specimen
 from geometry.polyhedra.intersect import holds
-from masonry.assembly.conditions import select
+from masonry.assembly.conditions import example_of, select
 from masonry.assembly.road.axle_pressure import Pressure, RoadBed, load_of, road_bed
 from masonry.errors import SceneError
 from masonry.model.layout import KINDS, Layout
@@ -129,9 +129,9 @@ def growing_load(
     chosen, faces = select(specimen, joints, limit.on, "limit.on")
     if limit.pattern == "traction":
         if faces is None:
+            example = example_of(specimen, joints, limit.on)
             raise SceneError(
-                f"limit.on = '{limit.on}': a traction acts on a face, for example '{limit.on}.z+'; "
-                "a force acts on whole blocks"
+                f"limit.on = '{limit.on}': a traction acts on a face{example}; a force acts on whole blocks"
             )
         add_traction(specimen.blocks, layout, load, Push(faces, np.array(limit.stress)))
         return load

@@ -1,6 +1,8 @@
 """What a message about a scene advises is carried out, each way on its own: the scene is taken then, and not refused
 for another reason that follows from the advice."""
 
+import re
+
 import pytest
 
 from masonry.assembly.assemble import assemble
@@ -184,6 +186,22 @@ def test_what_a_message_advises_is_taken(name):
     for way in ways:
         keys = {key: value for key, value in (wrong | way).items() if value is not None or key not in wrong}
         assert not refusal(scene, keys, built), way
+
+
+@pytest.mark.parametrize("name", ["couplet", "prism-in-compression", "house-tilted"])
+def test_the_face_that_a_message_gives_for_an_example_is_there_and_free(name):
+    scene = packaged(name)
+    said = refusal(scene, {"traction": [PUSH | {"on": "nope"}]})
+    (face,) = re.findall(r"or a face of one, such as '(.*)'$", said)
+    assert face.partition(".")[2] in ("z-", "x+") and not refusal(scene, {"traction": [PUSH | {"on": face}]})
+
+
+def test_a_face_of_its_own_set_is_an_example_and_none_is_given_where_whole_blocks_are_meant():
+    """The ground is covered in part from above, and free from below."""
+    said = refusal(one(), {"traction": [PUSH | {"on": "ground"}]})
+    assert said.endswith("a traction acts on a face, for example 'ground.z-'")
+    said = refusal(one(REAL), {"motion": [MOVES[0] | {"on": "blok"}]})
+    assert said.endswith("known here: block, ground, units; did you mean 'block'?")
 
 
 def test_rows_are_taken_in_place_of_samples_and_the_other_way_round():
