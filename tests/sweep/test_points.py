@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.errors import SceneError
+from masonry.scene import load, to_toml
 from masonry.sweeps.planned_runs import plan
 from masonry.sweeps.points import points
 from masonry.sweeps.read import read
@@ -181,6 +182,14 @@ def test_what_may_be_multiplied_in_place_of_a_key_that_is_not_there_are_numbers(
     assert len(words) > 9 and not {"unloading", "coupling", "exponent_shear"} & set(words)
     for word in words:
         assert len(plan(sweep(body.format(f"contact.unit_unit.{word}")))) == 2
+
+
+def test_a_scene_in_place_of_a_sweep_is_told_and_the_sweep_that_names_it_is_taken(tmp_path):
+    (tmp_path / "own.toml").write_text(to_toml(load("couplet")))
+    with pytest.raises(SceneError, match="this is a scene, and no sweep; .* names it, scene = 'own.toml'"):
+        read(tmp_path / "own.toml")
+    (tmp_path / "sweep.toml").write_text('scene = "own.toml"\n[grid]\nlaw = ["linear", "brittle"]\n')
+    assert len(plan(read(tmp_path / "sweep.toml"))) == 2
 
 
 def test_a_key_that_follows_itself_is_a_multiple_of_its_own(sweep):
