@@ -9,7 +9,7 @@ from masonry.model import stable_step
 from masonry.model.damping import Swing
 from masonry.model.element_plan import ElementPlan, Ends
 from masonry.model.large.block_motion import masses_behind
-from masonry.model.large.meeting import Meetings, add_row_sums, face_row_sums
+from masonry.model.large.meeting import Meetings, add_row_sums, face_matrices, face_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
 from masonry.model.stable_step import Side
 
@@ -59,7 +59,9 @@ def sums_of_phases(
     share, rates = _of_meetings(blocks, specimen, real, meetings)
     if swing is not None and swing.in_contacts:
         rigid = stiffness._replace(lame=np.zeros_like(stiffness.lame))
-        swinging = _swinging(sums, _row_sums(blocks, specimen, rigid, meetings), rates, real, swing)
+        springs = _row_sums(blocks, specimen, rigid, meetings)
+        dashpots = springs | _block_rates(blocks, specimen, stiffness, real, meetings)
+        swinging = _swinging(sums, springs, dashpots, rates, real, swing)
     return PhaseSums(share, sums if rates is None else stable_step.with_dashpots(sums, rates, real, xi), swinging)
 
 
@@ -98,17 +100,36 @@ def _of_meetings(
     return 1.0, rates
 
 
+def _block_rates(
+    blocks: Blocks, specimen: Outline, stiffness: Stiffness, real: dict[str, np.ndarray], meetings: Meetings | None
+) -> dict[str, np.ndarray]:
+    """(rows, dofs) N/m: what dashpots of contacts answer with at most, over their time, of blocks that move as a whole;
+    row sums of nodes are no less."""
+    (normal, shear, _), (layout, sides, length, face, _) = stiffness, specimen
+    if meetings is not None:
+        normal = shear = np.maximum(normal, shear)
+    matrices = stable_step.block_matrices(layout)
+    for side in sides:
+        stable_step.add_block_matrices(matrices, side, face, normal, shear)
+    rates = stable_step.block_rates(matrices, real, layout, length)
+    if meetings is None:
+        return rates
+    pressed = stable_step.block_rates(face_matrices(blocks, layout, length, meetings.stiffest), real, layout, length)
+    return {kind: np.maximum(of_bonds, pressed[kind]) for kind, of_bonds in rates.items()}
+
+
 def _swinging(
     sums: dict[str, np.ndarray],
-    of_contacts: dict[str, np.ndarray],
+    springs: dict[str, np.ndarray],
+    dashpots: dict[str, np.ndarray],
     rates: dict[str, np.ndarray] | None,
     real: dict[str, np.ndarray],
     swing: Swing,
 ) -> dict[str, np.ndarray]:
-    """The row sums, those of contacts, and of the dashpots of faces, as they are with dashpots in closed contacts."""
-    stiffer = {kind: rows + sum(swing.stiffer) * of_contacts[kind] for kind, rows in sums.items()}
+    """The row sums as they are with dashpots in closed contacts: of the springs of contacts, N/m; of dashpots in
+    proportion to them, over their time, N/m; and of the dashpots of faces, N s/m."""
+    stiffer = {kind: rows + sum(swing.stiffer) * springs[kind] for kind, rows in sums.items()}
     damped = {
-        kind: swing.stiffness_time * rows + (0.0 if rates is None else rates[kind])
-        for kind, rows in of_contacts.items()
+        kind: swing.stiffness_time * rows + (0.0 if rates is None else rates[kind]) for kind, rows in dashpots.items()
     }
     return stable_step.with_dashpots(stiffer, damped, real, swing.local)

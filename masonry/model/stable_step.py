@@ -8,6 +8,14 @@ Dashpots C act on velocities half a step old. Of M (v+ - v-) = -dt (K x + C v-) 
 (v+ (M - dt C / 2 - dt^2 K / 4) v+ + x K x) / 2, x halfway between two steps, only falls; so a step is stable where
 4 m_i >= 2 dt sum_j |C_ij| + dt^2 sum_j |K_ij| (`with_dashpots`). Of one oscillator with C = a1 K, z = a1 w / 2, that is
 dt <= (2/w) (sqrt(1 + z^2) - z). A Maxwell branch, a spring r K with a dashpot behind it, is no stiffer than the spring.
+
+Where dashpots make the step short it falls as C grows, and row sums of C are several times too large. Any diagonal D
+with x C x <= x D x serves in their place. Sides of a contact move by v = J x, J the columns of the dofs of a body, and
+with k (3, 3) its dashpot (v_b - v_a) k (v_b - v_a) <= 2 v_a k v_a + 2 v_b k v_b. So C <= blockdiag(2 C_b), with C_b the
+sum of J^T k J over the contacts of a body b; and 2 C_b <= mu_b M_b, mu_b the largest eigenvalue of M_b^-1 2 C_b. So
+D = mu_b m_i for each dof i of a body (`block_rates`). Of a point between nodes, v = sum of N_j v_j, v k v <= sum of
+N_j v_j k v_j: a node gets 2 N_j k, and the row sums of nodes are no less. Where blocks turn, k is the same in all
+directions, and so C_b about a block's own axes is what it was.
 """
 
 from dataclasses import dataclass
@@ -16,7 +24,7 @@ import numpy as np
 
 from geometry.jit_cache import compiled
 from masonry.model.kinds import KIND
-from masonry.model.layout import KINDS, Layout, tet_gradients, tet_volumes
+from masonry.model.layout import DOFS, KINDS, Layout, tet_gradients, tet_volumes
 
 CHUNK = 8192
 BETWEEN = len(KINDS)
@@ -150,10 +158,50 @@ def unscale(sums: dict[str, np.ndarray], layout: Layout, length: np.ndarray) -> 
         np.maximum(sums["tets"], SOFTEST * sums["tets"].max(), out=sums["tets"])
 
 
+def add_block_matrices(
+    matrices: dict[str, np.ndarray], side: Side, normal: np.ndarray, kn: np.ndarray, ks: np.ndarray
+) -> None:
+    """Add J^T k J of one side of the contacts to those of its blocks (rows, n, n), J the columns of scaled dofs."""
+    for code, kind in enumerate(matrices):
+        chosen = np.flatnonzero(side.form == code)
+        for first in range(0, len(chosen), CHUNK):
+            which = chosen[first : first + CHUNK]
+            move = side.columns(code, which)
+            along = np.einsum("ck,cki->ci", normal[which], move)
+            each = np.einsum("c,cki,ckj->cij", ks[which], move, move, optimize=True)
+            each += np.einsum("c,ci,cj->cij", kn[which] - ks[which], along, along, optimize=True)
+            np.add.at(matrices[kind], side.row[which], each)
+
+
+def block_matrices(layout: Layout) -> dict[str, np.ndarray]:
+    """(rows, n, n) of zeros for the kinds that move as a whole, in the order of their codes."""
+    kinds = [kind for kind in KINDS if not KIND[kind].nodal]
+    return {kind: np.zeros((layout.rows(kind), DOFS[kind], DOFS[kind])) for kind in kinds}
+
+
+def block_rates(
+    matrices: dict[str, np.ndarray], masses: dict[str, np.ndarray], layout: Layout, length: np.ndarray
+) -> dict[str, np.ndarray]:
+    """(rows, dofs) N s/m, the largest eigenvalue of M_b^-1 2 C_b of each block times the masses of its dofs.
+
+    matrices  C_b (rows, n, n) of scaled dofs    masses  real    length  (B, 3) m of all blocks
+    """
+    rates = {}
+    for kind, matrix in matrices.items():
+        root = np.sqrt(masses[kind])
+        scaled = root.copy()
+        scaled[:, 3:] /= KIND[kind].lengths(length[layout.members[kind]])
+        relative = 2.0 * matrix / (scaled[:, :, None] * scaled[:, None, :])
+        rates[kind] = np.linalg.eigvalsh(relative)[:, -1:] * root**2
+    return rates
+
+
 def with_dashpots(
     sums: dict[str, np.ndarray], rates: dict[str, np.ndarray], masses: dict[str, np.ndarray], damping: float
 ) -> dict[str, np.ndarray]:
-    """Row sums of |K| that alone would ask for the step that both ask for; rates, of |C| (N s/m); masses, real.
+    """Row sums of |K| that alone would ask for the step that both ask for; masses, real.
+
+    rates  N s/m, of |C|, or a diagonal that is no less than C
 
     Local damping answers with up to (1 + damping) times the force, that of dashpots as well.
     """

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from masonry.configuration.energy import open_in_contacts
+from masonry.errors import Stopped
 from masonry.laboratory import laboratory
 from masonry.laboratory.summary.measurements.free_swing import swing
 from masonry.model.damping import Swing, flat_branches
@@ -81,6 +82,50 @@ def test_what_damps_after_the_settling_is_what_the_scene_says(damping, ratio, to
         assert measured == pytest.approx(ratio / np.sqrt(1.0 - ratio**2), abs=tolerance)
         assert summary["free_swings"]["z"]["ratio"] == pytest.approx(ratio, abs=max(tolerance, 2e-5))
         assert summary["free_swings"]["z"]["frequency_hz"] == pytest.approx(HZ, rel=0.1)
+
+
+FLOATING = """
+law = "elastic"
+kinematics = "rigid"
+[specimen]
+kind = "prism"
+units = 2
+length = "0.3 m"
+width = "0.2 m"
+height = "0.1 m"
+[material.units]
+density = "2000 kg/m^3"
+[contact.unit_unit]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "0.05 GPa/m"
+[[motion]]
+on = "top"
+velocity = ["0.3 mm/s", "-0.2 mm/s", "1 mm/s"]
+[solver]
+masses = "real"
+damping = 0
+duration = "2 ms"
+rows = 2000
+time_step = "{step}"
+frames = 1
+[damping]
+stiffness = "0.02 s"
+"""
+
+
+@pytest.mark.parametrize(("times", "grows"), [(0.98, False), (1.02, True)])
+def test_two_equal_blocks_of_stiff_dashpots_calm_down_below_the_bound_and_not_beyond(times, grows):
+    """Equal blocks that swing against each other along their normal have all the damping by which each is bounded."""
+    bound = laboratory.assemble(load(FLOATING.format(step="gershgorin"))).model.bound
+    scene = load(FLOATING.format(step=f"{times * bound!r} s"))
+    if grows:
+        with pytest.raises(Stopped, match="time step"):
+            laboratory.run(scene)
+        return
+    kinetic = laboratory.run(scene).history.rows["kinetic"]
+    assert np.abs(kinetic).max() == kinetic[0]
+    assert kinetic[-1] < 0.6 * kinetic[0], "what is left is the motion of both together"
+    assert np.ptp(kinetic[-50:]) < 1e-3 * kinetic[-1]
 
 
 @pytest.mark.parametrize(

@@ -36,7 +36,7 @@ from masonry.model.large.block_motion import (
 from masonry.model.large.bodies import deforming, deforming_tets, turning
 from masonry.model.large.row_sums import affine_row_sums, contact_row_sums, levers, tet_row_sums
 from masonry.model.layout import DOFS, KINDS, Layout
-from masonry.model.stable_step import Side
+from masonry.model.stable_step import Side, add_block_matrices, block_matrices
 from masonry.patches.arrays import Near, Rules, Search, no_footprint, no_former_patch, no_points
 from masonry.patches.crushed_faces import crushed_faces
 from masonry.patches.crushed_points import ROWS
@@ -135,15 +135,28 @@ def face_row_sums(blocks: Blocks, layout: Layout, length: np.ndarray, per_area: 
     within the faces, and lumping a part of a face at its corners gives no larger sum of a convex function of the place
     than lumping the whole face does.
     """
-    corner, area, block, row = _face_corners(blocks, layout)
-    arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
-    one = Side(layout.kind[block], row, arm, layout.axes[block], length[block])
+    one, area, block = _pressed(blocks, layout, length)
     sums = {kind: np.zeros((layout.rows(kind), DOFS[kind])) for kind in KINDS}
     own = levers(one).sum(axis=1)
     others = np.array([own[one.kind != k].max(initial=0.0) for k in range(len(KINDS))])[one.kind]
     longer = 1.0 + 0.5 * np.maximum(others - own, 0.0) / (1.0 + own)
     contact_row_sums(sums, (one, one), 0.5 * per_area[block] * area * longer)  # both sides add to the same block
     return sums
+
+
+def face_matrices(blocks: Blocks, layout: Layout, length: np.ndarray, per_area: float) -> dict[str, np.ndarray]:
+    """Sums of J^T k J of blocks whose faces all press, as in `face_row_sums`; per_area, Pa/m, of all of them."""
+    one, area, _ = _pressed(blocks, layout, length)
+    matrices, stiffness = block_matrices(layout), per_area * area
+    add_block_matrices(matrices, one, np.zeros((len(area), 3)), stiffness, stiffness)
+    return matrices
+
+
+def _pressed(blocks: Blocks, layout: Layout, length: np.ndarray) -> tuple[Side, np.ndarray, np.ndarray]:
+    """The corners of all faces as the side of a contact, the area (m2) of each, and its block."""
+    corner, area, block, row = _face_corners(blocks, layout)
+    arm = np.einsum("cji,cj->ci", layout.axes[block], corner - layout.centroid[block])
+    return Side(layout.kind[block], row, arm, layout.axes[block], length[block]), area, block
 
 
 def _face_corners(blocks: Blocks, layout: Layout) -> tuple[np.ndarray, ...]:
