@@ -44,7 +44,8 @@ TOWERS = {
     "reading": ("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
     "computing": (
         *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
-        *("masonry.elements", "masonry.configuration", "masonry.monitors", "masonry.loading", "masonry.timeloop", "masonry.assembly"),
+        *("masonry.elements", "masonry.configuration", "masonry.monitors", "masonry.loading"),
+        *("masonry.timeloop", "masonry.assembly"),
     ),
 }
 """What shows and judges results needs rows, laws and the scene; what computes them shows nothing."""

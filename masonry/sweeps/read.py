@@ -109,8 +109,8 @@ def sweep_of_tables(scene: "Scene", tables: Any) -> Sweep:
 def _require_words(raw: dict[str, Any], name: str) -> None:
     if "specimen" in raw:
         raise SceneError(
-            f"{name}: this is a scene, and no sweep; one beside it names it, scene = '{Path(name).name}', and says what "
-            "varies: docs/sweep.md"
+            f"{name}: this is a scene, and no sweep; one beside it names it, scene = '{Path(name).name}', and says "
+            "what varies: docs/sweep.md"
         )
     for word in raw:
         if word not in WORDS:
