@@ -1,4 +1,5 @@
-"""Compiled code is kept between runs: a second process compiles nothing, and no edit of a source is served stale."""
+"""Compiled code is kept between runs: a second process compiles nothing, no edit of a source is served stale, and a
+damaged file counts as absent."""
 
 import json
 import os
@@ -14,7 +15,7 @@ import pytest
 from masonry.jit import sources
 
 ROOT = Path(__file__).resolve().parents[2]
-SHORT = ["law=exponential", "settle.steps=100", "drive.steps=600", "solver.rows=10"]
+SHORT = ["law=elastic", "settle.steps=100", "drive.steps=600", "solver.rows=10"]
 RUN = """
 import json, sys
 from numba.core import event
@@ -28,20 +29,24 @@ class Listener(event.Listener):
 event.register("numba:compile", Listener())
 import masonry
 assert masonry.__file__.startswith(sys.argv[1])
-result = masonry.run(masonry.load("couplet", sys.argv[2:]))
+told = []
+scene = masonry.load("couplet", sys.argv[2:])
+result = masonry.run(scene, progress=lambda step, steps, note: told.append(f"{step} {note}"))
 tools = "numba.np.arraymath" in sys.modules
-print(json.dumps([compiled, result.history.rows["stress"].tolist(), tools, kept]))
+rows = result.history.rows
+print(json.dumps([compiled, [*rows["stress"], *rows["elastic_contacts"]], tools, kept, told]))
 """
 
 
 class Ran(NamedTuple):
-    """What a run compiled, its stresses, whether it loaded what Numba compiles array functions with, and what of it is
-    kept, as it is not linked into other functions alone."""
+    """What a run compiled, its stresses and what its contacts store, whether it loaded what Numba compiles array
+    functions with, what of it is kept, as it is not linked into other functions alone, and what its progress said."""
 
     compiled: list[str]
-    stress: list[float]
+    numbers: list[float]
     tools: bool
     kept: list[str]
+    told: list[str]
 
 
 class Copy:
@@ -52,9 +57,9 @@ class Copy:
         for package in ("geometry", "masonry"):
             shutil.copytree(ROOT / package, root / package, ignore=shutil.ignore_patterns("__pycache__"))
 
-    def run(self) -> Ran:
-        """Run a short scene in a process of its own."""
-        surroundings = os.environ | {"PYTHONPATH": str(self.root), "MASONRY_CACHE": str(self.root / "cache")}
+    def run(self, cache: Path | None = None) -> Ran:
+        """Run a short scene in a process of its own, with its own cache or another one."""
+        surroundings = os.environ | {"PYTHONPATH": str(self.root), "MASONRY_CACHE": str(cache or self.root / "cache")}
         done = subprocess.run(
             [sys.executable, "-c", RUN, str(self.root), *SHORT],
             cwd=self.root,
@@ -86,7 +91,31 @@ def test_a_second_process_compiles_nothing_whatever_was_edited_that_is_not_compi
     copy, first = used
     for file in ("masonry/model/model.py", "masonry/laboratory/laboratory.py", "geometry/joints/find.py"):
         copy.edit(file, r"\Z", "# a remark\n")
-    assert copy.run() == Ran([], first.stress, tools=False, kept=[])
+    again = copy.run()
+    assert again == Ran([], first.numbers, tools=False, kept=[], told=again.told)
+    assert not any("compiling" in note for note in again.told) and any(note.startswith("700 ") for note in again.told)
+
+
+def test_compiling_is_told_once_before_the_first_step(used):
+    (told,) = [note for note in used[1].told if "compiling" in note]
+    assert told.startswith("0 compiling the step for rigid blocks, law elastic (once for all such scenes")
+
+
+def test_a_cache_with_damaged_files_is_one_without_them(used, tmp_path):
+    copy, first = used
+    shutil.copytree(copy.root / "cache", tmp_path, dirs_exist_ok=True)
+    files = [path for kind in ("nbi", "nbc") for path in tmp_path.rglob(f"*.{kind}")]
+    assert len(files) > 4
+    for number, path in enumerate(files):
+        content = bytearray(path.read_bytes())
+        content[len(content) // 2] ^= 255
+        path.write_bytes([bytes(content), content[: len(content) // 2], b""][number % 3])
+    anew = copy.run(tmp_path)
+    assert anew.numbers == first.numbers and "_kick" in anew.compiled
+    written = {path: path.stat().st_mtime_ns for path in files}
+    again = copy.run(tmp_path)
+    assert again.numbers == first.numbers and again.compiled == []
+    assert {path: path.stat().st_mtime_ns for path in files} == written
 
 
 def test_the_key_of_the_cache_changes_with_a_byte_in_any_room_that_is_compiled_into_a_step(tmp_path, monkeypatch):
@@ -105,7 +134,7 @@ def test_the_key_of_the_cache_changes_with_a_byte_in_any_room_that_is_compiled_i
 
 
 EDITS = {
-    "law": ("masonry/laws/exponential.py", r"exp\(-joint", "exp(-0.999 * joint"),
+    "law": ("masonry/laws/elastic.py", r"0\.5 \* tau_squared", "0.499 * tau_squared"),
     "kernel": ("masonry/kernels/step.py", r"\] = shared\[SPEED\]", "] = 0.999 * shared[SPEED]"),
     "kinematics": ("masonry/kinematics/rigid.py", r"\+ dt \* take", "+ 0.999 * dt * take"),
 }
@@ -120,4 +149,4 @@ def test_an_edit_of_a_law_a_kernel_or_a_kinematics_changes_the_next_run(used, ki
     edited = copy.run()
     (copy.root / file).write_text(before, encoding="utf-8")
     assert edited.compiled
-    assert edited.stress != first.stress
+    assert edited.numbers != first.numbers

@@ -1,10 +1,7 @@
 """Progress is a bar on a terminal and a few plain lines in a file."""
 
 import io
-import os
 import re
-import subprocess
-import sys
 import threading
 import time
 from math import inf
@@ -201,22 +198,6 @@ def test_while_something_is_compiled_the_seconds_are_told_and_nothing_after_it(m
         said = stream.getvalue().splitlines()
     assert said[0] == "x  compiling" and re.fullmatch(r"x  compiling: \d+ s of about 20 s", said[1])
     assert threading.active_count() == threads and stream.getvalue().splitlines() == said
-
-
-def test_compiling_is_told_once_and_only_where_something_is_compiled(tmp_path):
-    """In a process with an empty cache, and again in one that finds the step there."""
-    code = (
-        "import masonry\nfrom masonry.laboratory import laboratory\n"
-        "scene = masonry.load('couplet', ['law=elastic', 'settle.steps=100', 'drive.steps=600', 'solver.rows=10'])\n"
-        "laboratory.run(scene, progress=lambda step, steps, note: print(step, note))\n"
-    )
-    environment = {**os.environ, "MASONRY_CACHE": str(tmp_path)}
-    words = [sys.executable, "-c", code]
-    first, second = (
-        subprocess.run(words, env=environment, capture_output=True, text=True, check=True).stdout for _ in range(2)
-    )
-    assert first.count("0 compiling the step for rigid blocks, law elastic (once for all such scenes") == 1
-    assert "compiling" not in second and "step 700" in second
 
 
 def test_what_is_compiled_says_how_long_it_took_last_time(tmp_path, monkeypatch):

@@ -144,7 +144,7 @@ def test_where_nothing_can_be_kept_commands_say_so_and_do_what_they_are_told(tmp
     home.chmod(0o500)
     words = [
         ["check", "couplet"],
-        ["run", "couplet", *SHORT, "--out", "out", "--quiet"],
+        ["run", "couplet", "--set", "law=elastic", *SHORT, "--out", "out", "--quiet"],
         ["limit", "arch-tilted", "--json"],
     ]
     surroundings = {key: value for key, value in os.environ.items() if key not in ("MASONRY_CACHE", "XDG_CACHE_HOME")}

@@ -20,7 +20,7 @@ SHORT = ["settle.steps=100", "drive.displacement=0.1 mm", "drive.steps=6000", "s
 BILINEAR = ["law=bilinear", "contact.unit_unit.opening_at_knee=8 um", "contact.unit_unit.share_at_knee=0.3"]
 OURS = ["law=linear"]
 ENERGY = 'print(json.dumps([compiled, [result.summary["energy_j"]["fracture_mode_1"] / result.summary["section_m2"], '
-MORE = 'result.summary["peak_stress_pa"], result.summary["dissipation_mismatch"]], tools, kept]))'
+MORE = 'result.summary["peak_stress_pa"], result.summary["dissipation_mismatch"]], tools, kept, told]))'
 
 
 class Here:
@@ -52,14 +52,15 @@ def used(tmp_path_factory) -> tuple[Here, Ran]:
 
 
 def test_a_couplet_that_is_pulled_apart_spends_the_energy_of_its_law(used):
-    fracture, peak, mismatch = used[1].stress
+    fracture, peak, mismatch = used[1].numbers
     assert fracture == pytest.approx(5.8 + 0.5 * 0.58e6**2 / 150e9, rel=1e-9)
     assert peak == pytest.approx(0.58e6, rel=1e-3) and mismatch < 1e-3
 
 
 def test_a_second_process_compiles_nothing(used):
     here, first = used
-    assert here.run() == Ran([], first.stress, tools=False, kept=[])
+    again = here.run()
+    assert again == Ran([], first.numbers, tools=False, kept=[], told=again.told)
 
 
 @pytest.mark.slow
@@ -78,5 +79,5 @@ def test_an_edit_of_the_law_is_compiled_and_changes_the_run(used):
     (here.package / "bilinear.py").write_text(text, encoding="utf-8")
     edited = here.run()
     assert "_sweep" in edited.compiled
-    assert edited.stress[0] == pytest.approx(first.stress[0] - 0.2 * 5.8, rel=1e-9)
-    assert np.isclose(edited.stress[1], first.stress[1])
+    assert edited.numbers[0] == pytest.approx(first.numbers[0] - 0.2 * 5.8, rel=1e-9)
+    assert np.isclose(edited.numbers[1], first.numbers[1])
