@@ -193,6 +193,14 @@ class Near(NamedTuple):
     crushed: Any = None
 
 
+def places_alone(near: Near) -> Near:
+    """Near without points, rules and what only some blocks have: parts that ask where pieces are, and no more, are
+    compiled for this once for all scenes."""
+    absent: Any = None
+    motion = near.motion._replace(dual=absent, rate=absent, strain=absent)
+    return near._replace(points=absent, rules=absent, motion=motion, crushed=absent)
+
+
 @inner
 def number_of(points, s, k, row):
     """A number of point k of slot s."""

@@ -7,7 +7,7 @@ from masonry.detection.broad import near_pairs, write_boxes
 from masonry.jit.compiled_parts import Call, CompiledPart
 from masonry.jit.compiler import inner
 from masonry.jit.records import call, unpack
-from masonry.patches.arrays import NEED_PAIRS, NORMAL_GAINED, REASON, ROOM, SEARCHES, SHEAR_LOST, Near
+from masonry.patches.arrays import NEED_PAIRS, NORMAL_GAINED, REASON, ROOM, SEARCHES, SHEAR_LOST, Near, places_alone
 from masonry.patches.crushed_faces import keep_crushing
 from masonry.patches.pairs import begin_pair, copy_pair, copy_pairs
 from masonry.patches.press import stored
@@ -15,8 +15,8 @@ from masonry.patches.press import stored
 
 def searching_for(near: Near) -> tuple[Call, np.ndarray]:
     """What `find_pairs` needs to be called: the call, and where its answer stands."""
-    answer = np.zeros(1, dtype=bool)
-    return _find_pairs.of(near, answer), answer
+    count, answer = np.zeros(1, dtype=np.int64), np.zeros(1, dtype=bool)
+    return _find_pairs.of(near, _list_candidates.of(places_alone(near), count), count, answer), answer
 
 
 @inner
@@ -32,13 +32,15 @@ def find_pairs(searching):
 
 @CompiledPart
 def _find_pairs(record):
-    near, answer = unpack(record)
-    answer[0] = all_pairs(near)
+    near, listing, count, answer = unpack(record)
+    call(listing[0], listing[1])
+    answer[0] = write_pairs(near, count[0])
 
 
-@inner
-def all_pairs(near):
-    """What `find_pairs` does."""
+@CompiledPart
+def _list_candidates(record):
+    """Pieces whose boxes meet as blocks stand now, sorted, into search.candidates; how many pairs into count (1,)."""
+    near, count = unpack(record)
     motion, search = near.motion, near.search
     placing.update_pieces(near.pieces, motion.frame, near.turned)
     for b in range(len(motion.travel)):
@@ -47,7 +49,13 @@ def all_pairs(near):
             search.position[b, i] = motion.centre[b, i] + motion.moved[b, i]
     search.tally[SEARCHES] += 1
     write_boxes(near.pieces, near.turned, search.position, 2.0 * search.skin[0], near.cells)
-    count = near_pairs(near.cells, search.candidates)
+    count[0] = near_pairs(near.cells, search.candidates)
+
+
+@inner
+def write_pairs(near, count):
+    """Write the candidates as pairs, unless there is no room for so many: then False."""
+    search = near.search
     if count > len(search.candidates):
         search.refusal[REASON], search.refusal[ROOM] = NEED_PAIRS, count
         return False

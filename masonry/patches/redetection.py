@@ -32,6 +32,7 @@ from masonry.patches.arrays import (
     Near,
     number_of,
     outward,
+    places_alone,
     put_number_of,
     put_vector_of,
     vector_of,
@@ -51,15 +52,15 @@ SIDEWAYS = 0.01
 """Of the skin: travel of two triangles that lie beside each other after which they are looked at again, at least."""
 BORN_DEEP = 0.1
 """Of the side of a contact of edges, itself a tenth of a block's: the overlap at which a contact may not begin."""
-WHICH, FIXED, KIND, COUNT, OWNER, ANSWER = range(6)
+WHICH, SUNK, KIND, COUNT, OWNER, FORMER, ANSWER = range(7)
 SEPARATION, BLEND, SIZE = range(3)
 
 
 class Touch(NamedTuple):
     """What is asked of a pair, and what a look finds.
 
-    whole  (6,) WHICH pair; whether the faces that touched last are FIXED; KIND of contact, COUNT of points and side of
-           their OWNER; ANSWER
+    whole  (7,) WHICH pair; whether it touches with other faces as it is SUNK; KIND of contact, COUNT of points and side
+           of their OWNER; how many points there were, FORMER; ANSWER
     real   (3,) SEPARATION (m), BLEND and SIZE (m) as `touch` returns them
     """
 
@@ -69,8 +70,9 @@ class Touch(NamedTuple):
 
 def looking_at(near: Near) -> tuple[Call, Touch]:
     """What `look` needs to be called: the call, and room for what it asks and finds."""
-    touch = Touch(np.zeros(6, dtype=np.int64), np.zeros(3))
-    return _look.of(near, _touch.of(near, touch), _renew.of(near, touch), touch), touch
+    touch, places = Touch(np.zeros(7, dtype=np.int64), np.zeros(3)), places_alone(near)
+    renewing = _renew.of(near, _hand_on.of(places, touch), touch)
+    return _look.of(near, _touch.of(places, touch), renewing, touch), touch
 
 
 @inner
@@ -90,23 +92,49 @@ def _look(record):
 
 @CompiledPart
 def _renew(record):
+    near, handing, query = unpack(record)
+    query.whole[ANSWER] = renew(near, query.whole[WHICH], query.whole[COUNT], query.whole[OWNER], handing, query)
+
+
+@CompiledPart
+def _hand_on(record):
+    """Shear tractions of the former points to those of a look, from `former` to `footprint`."""
     near, query = unpack(record)
-    query.whole[ANSWER] = renew(near, query.whole[WHICH], query.whole[COUNT], query.whole[OWNER])
+    count, former_count, axis = query.whole[COUNT], query.whole[FORMER], near.pairs.axis[query.whole[WHICH]]
+    former, footprint = near.former, near.footprint
+    turn_tractions(former.shear, former_count, former.normal, axis, 0.0)
+    transfer(
+        *(former.point, former.area, former.feature, former.shear, former_count),
+        *(footprint.point, footprint.area, footprint.feature, footprint.shear, count, axis, near.scratch),
+    )
 
 
 @CompiledPart
 def _touch(record):
     near, query = unpack(record)
-    p, pairs, search, footprint = query.whole[WHICH], near.pairs, near.search, near.footprint
-    least = min(search.least[pairs.body[p, 0]], search.least[pairs.body[p, 1]])
-    # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
-    kind, count, separation, blend, size = touch(
-        *(near.pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], search.skin[0], FAR, least),
-        *(query.whole[FIXED] != 0, pairs.axis[p], pairs.witness[p], near.scratch),
-        *(footprint.point, footprint.gap, footprint.area, footprint.feature),
-    )
-    query.whole[KIND], query.whole[COUNT] = kind, count
+    query.whole[COUNT] = touch_anew(near, query.whole[WHICH], query)
+
+
+@inner
+def touch_anew(near, p, query):
+    """Write where pair p touches now into footprint, with further points inside; returns how many points there are."""
+    pieces, pairs, search, footprint = near.pieces, near.pairs, near.search, near.footprint
+    a, b = pairs.body[p, 0], pairs.body[p, 1]
+    least, query.whole[SUNK] = min(search.least[a], search.least[b]), False
+    of_tets = pieces.block[a] != a or pieces.block[b] != b
+    while True:
+        # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
+        kind, count, separation, blend, size = touch(
+            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], search.skin[0], FAR, least),
+            *(query.whole[SUNK] != 0, pairs.axis[p], pairs.witness[p], near.scratch),
+            *(footprint.point, footprint.gap, footprint.area, footprint.feature),
+        )
+        if query.whole[SUNK] or of_tets or kind == NONE or not is_sunk(near, p, count):
+            break
+        query.whole[SUNK] = True
+    query.whole[KIND] = kind
     query.real[SEPARATION], query.real[BLEND], query.real[SIZE] = separation, blend, size
+    return further_points(search, footprint, count) if kind == FACE and count >= 3 else count
 
 
 @inner
@@ -114,7 +142,7 @@ def answer_of(near, touching, renewing, query):
     """What `look` returns."""
     p = query.whole[WHICH]
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
-    footprint, a, b = near.footprint, pairs.body[p, 0], pairs.body[p, 1]
+    a, b = pairs.body[p, 0], pairs.body[p, 1]
     for side in range(2):
         block = pairs.body[p, side]
         placing.update_piece(pieces, pairs.piece[p, side], motion.frame[block], near.turned)
@@ -126,32 +154,24 @@ def answer_of(near, touching, renewing, query):
     keep_crushing(near.crushed, near, pairs, p)
     skin = search.skin[0]
     search.tally[LOOKS] += 1
-    of_tets, sunk = pieces.block[a] != a or pieces.block[b] != b, False
-    while True:
-        query.whole[FIXED] = sunk
-        call(touching[0], touching[1])
-        kind, count = query.whole[KIND], query.whole[COUNT]
-        separation, blend, size = query.real[SEPARATION], query.real[BLEND], query.real[SIZE]
-        if sunk or of_tets or kind == NONE or not is_sunk(near, p, count):
-            break
-        sunk = True
+    call(touching[0], touching[1])
+    separation, size = query.real[SEPARATION], query.real[SIZE]
     pairs.mark[p] = motion.travel[a] + motion.travel[b]
     keep_pose(pairs, motion, p)
-    if kind == NONE:
+    if query.whole[KIND] == NONE:
         reach = max(separation - 0.5 * skin, 0.25 * skin)
-        if of_tets or sunk:  # inner faces of tets part nothing, nor do sunk ones: they may meet at once
+        of_tets = pieces.block[a] != a or pieces.block[b] != b
+        if of_tets or query.whole[SUNK]:  # inner faces of tets part nothing, nor do sunk ones: they may meet at once
             reach = max(separation - 0.5 * skin, size, SIDEWAYS * skin)
         pairs.limit[p] = pairs.reach[p] = reach
         part(near, pairs, p)
         return True
-    if kind == FACE and count >= 3:
-        count = further_points(search, footprint, count)
     pairs.limit[p] = pairs.reach[p] = MOVED * size
     if pairs.slot[p] < 0 and points.free[len(points.number)] == 0:
         search.refusal[REASON], search.refusal[PAIR] = NEED_POINTS, p
         pairs.mark[p] = -FAR
         return False
-    query.whole[COUNT], query.whole[OWNER] = count, owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], blend)
+    query.whole[OWNER] = owner(pieces, pairs.piece[p, 0], pairs.piece[p, 1], query.real[BLEND])
     call(renewing[0], renewing[1])
     return query.whole[ANSWER] != 0
 
@@ -167,7 +187,7 @@ def further_points(search, footprint, count):
 
 
 @inner
-def renew(near, p, count, own):
+def renew(near, p, count, own, handing, query):
     """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
     pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
     pressed, sheared = stored(pairs, points, near.rules, motion, p)
@@ -180,7 +200,10 @@ def renew(near, p, count, own):
         former_count = remember(near, p)
     set_plane(near, p, own)
     deepest, area = write_points(near, p, count, former_count)
-    hand_on_shear(near, p, count, former_count)
+    if former_count > 0:
+        query.whole[FORMER] = former_count
+        call(handing[0], handing[1])
+    put_shear(near, p, count, former_count)
     closing = recall_crushing(near.crushed, near, p, count, former_count)
     set_dashpot(pairs, near.rules, search, p, area)
     deep = BORN_DEEP * min(search.deep[pairs.body[p, 0]], search.deep[pairs.body[p, 1]])
@@ -255,16 +278,10 @@ def write_points(near, p, count, former_count):
 
 
 @inner
-def hand_on_shear(near, p, count, former_count):
-    """The points take over the shear of the patch that was; without one they begin with none."""
-    pairs, points, footprint, former = near.pairs, near.points, near.footprint, near.former
-    s, axis, sign = pairs.slot[p], pairs.axis[p], outward(pairs.points_of[p])
-    if former_count > 0:
-        turn_tractions(former.shear, former_count, former.normal, axis, 0.0)
-        transfer(
-            *(former.point, former.area, former.feature, former.shear, former_count),
-            *(footprint.point, footprint.area, footprint.feature, footprint.shear, count, axis, near.scratch),
-        )
+def put_shear(near, p, count, former_count):
+    """The points take over the shear of the patch that was, as footprint has it; without one they begin with none."""
+    pairs, points, footprint = near.pairs, near.points, near.footprint
+    s, sign = pairs.slot[p], outward(pairs.points_of[p])
     for k in range(-(-count // FOUR) * FOUR):
         x, y, z = vector_at(footprint.shear, k, 0) if former_count > 0 and k < count else (0.0, 0.0, 0.0)
         put_vector_of(points, s, k, SHEAR, (sign * x, sign * y, sign * z))

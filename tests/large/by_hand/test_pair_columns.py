@@ -6,9 +6,8 @@ import numpy as np
 from masonry.assembly.assemble import assemble
 from masonry.configuration import model_state
 from masonry.configuration.room import make_room
-from masonry.jit.compiler import jit
 from masonry.patches.arrays import NEED_PAIRS, REASON, ROOM
-from masonry.patches.pair_search import all_pairs
+from masonry.patches.pair_search import searching_for
 from masonry.patches.pairs import COLUMNS, FAR, PatchPairs, copy_pairs, no_pairs
 from masonry.patches.refreshing import refresh
 from tests.large.made import dry, slab
@@ -74,10 +73,11 @@ def test_more_room_for_pairs_keeps_all_columns():
     assert_same(columns(model.large.near.pairs), before)
 
 
-@jit
-def search(near):
+def search(near) -> bool:
     """What `refresh` begins with."""
-    return all_pairs(near)
+    call, answer = searching_for(near)
+    call()
+    return bool(answer[0])
 
 
 def test_pairs_that_stay_near_keep_all_columns_as_another_one_goes_and_comes_back_as_new():
