@@ -24,20 +24,36 @@ SAME_DIRECTION, SAME_PLANE = 1e-5, 1e-6
 
 class Lacks(NamedTuple):
     """By how much more each face would turn, over moment and stiffness, were a stress spread over its area: (J, 3, 3)
-    1/m4, onto moments in its plane and onto the twist about its normal."""
+    1/m4, onto moments in its plane and onto the twist about its normal.
+
+    whole  (P,) the first polygon of the face of each polygon
+    face   (C,) that of the face of each contact
+    arm    (C, 3) m, from the middle of the contact points of its face to each contact
+    """
 
     bending: np.ndarray
     twist: np.ndarray
+    whole: np.ndarray
+    face: np.ndarray
+    arm: np.ndarray
 
     @property
     def any(self) -> bool:
         """Whether contact points of some face bend or twist otherwise than its area does."""
         return bool((self.bending != 0.0).any() or (self.twist != 0.0).any())
 
-    def over(self, normal: np.ndarray, shear: np.ndarray) -> np.ndarray:
-        """(J, 3, 3) rad/(N m), of faces with stiffnesses (J,) Pa/m; what has no shear stiffness bears no twist."""
+    def over(self, normal: np.ndarray, shear: np.ndarray, of: slice | np.ndarray = slice(None)) -> np.ndarray:
+        """(J, 3, 3) rad/(N m), of faces, or some of them, with stiffnesses (J,) Pa/m; what has no shear stiffness bears
+        no twist."""
         softness = np.divide(1.0, shear, out=np.zeros(len(shear)), where=shear > 0.0)
-        return np.asarray(self.bending / normal[:, None, None] + self.twist * softness[:, None, None])
+        return np.asarray(self.bending[of] / normal[:, None, None] + self.twist[of] * softness[:, None, None])
+
+    def moments(self, normal: np.ndarray, pull: np.ndarray, shear: np.ndarray) -> np.ndarray:
+        """(J, 3) N m of forces along the normals (C, 3), `pull` (C,) N, and across them, `shear` (C, 3) N: of bending
+        towards where each face opens, of twist along its normal."""
+        twist = np.einsum("ci,ci->c", normal, np.cross(self.arm, shear))
+        each = pull[:, None] * self.arm + twist[:, None] * normal
+        return np.stack([np.bincount(self.face, values, len(self.whole)) for values in each.T], axis=1)
 
 
 def lacking_flexibility(joints: Joints) -> Lacks:
@@ -48,9 +64,11 @@ def lacking_flexibility(joints: Joints) -> Lacks:
     index = np.arange(len(joints.patch_points))
     corners = pad(joints.patch_points, joints.patch_start, index)[0]
     area, normal, centroid = areas_normals_centroids(corners)
-    of_points, summed = _of_points(joints, len(area))
-    of_area = of_polygons(corners, normal, centroid)
     whole = first_patches(joints)
+    face = whole[joints.patch]
+    arm = _arms(joints, face, len(area))
+    of_points, summed = _of_points(joints, face, arm, len(area))
+    of_area = of_polygons(corners, normal, centroid)
     area, of_area = _joined(whole, area, centroid, of_area)
     fits = ((area > 0.0) & (np.abs(summed - area) <= FITS * area))[:, None, None]
     bending = _inverse(of_area) - _inverse(of_points)
@@ -59,7 +77,7 @@ def lacking_flexibility(joints: Joints) -> Lacks:
         twist = np.where(about > FLAT * polar, 1.0 / polar - 1.0 / about, 0.0)
     twist[np.abs(twist) * polar <= SAME] = 0.0
     along = normal[:, :, None] * normal[:, None, :]
-    return Lacks(np.where(fits, bending, 0.0), np.where(fits, twist[:, None, None] * along, 0.0))
+    return Lacks(np.where(fits, bending, 0.0), np.where(fits, twist[:, None, None] * along, 0.0), whole, face, arm)
 
 
 def _joined(
@@ -77,27 +95,16 @@ def _joined(
     return all_, together
 
 
-def moments(joints: Joints, pull: np.ndarray, shear: np.ndarray) -> np.ndarray:
-    """(J, 3) N m of forces along the normals (C,) N and across them (C, 3) N: of bending towards where each face opens,
-    of twist along its normal."""
-    arm, count, face = arms(joints), len(joints.patch_start) - 1, faces_of_contacts(joints)
-    twist = np.einsum("ci,ci->c", joints.normal, np.cross(arm, shear))
-    each = pull[:, None] * arm + twist[:, None] * joints.normal
-    return np.stack([np.bincount(face, values, count) for values in each.T], axis=1)
-
-
-def arms(joints: Joints) -> np.ndarray:
+def _arms(joints: Joints, face: np.ndarray, count: int) -> np.ndarray:
     """(C, 3) m, from the middle of the contact points of each face to its points."""
-    count, face = len(joints.patch_start) - 1, faces_of_contacts(joints)
     area = np.bincount(face, joints.area, count)
     sums = [np.bincount(face, joints.area * along, count) for along in joints.point.T]
     middle = np.stack(sums, axis=1) / np.maximum(area, 1e-300)[:, None]
     return np.asarray(joints.point - middle[face])
 
 
-def _of_points(joints: Joints, count: int) -> tuple[np.ndarray, np.ndarray]:
+def _of_points(joints: Joints, face: np.ndarray, arm: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     """(J, 3, 3) m4 and (J,) m2, of the contact points of each face."""
-    face, arm = faces_of_contacts(joints), arms(joints)
     area = np.bincount(face, joints.area, count)
     products = [np.bincount(face, joints.area * a * b, count) for a in arm.T for b in arm.T]
     return np.stack(products, axis=1).reshape(-1, 3, 3), area
@@ -145,8 +152,3 @@ def _lowest(head: np.ndarray) -> np.ndarray:
     least = np.arange(len(head))
     np.minimum.at(least, head, np.arange(len(head)))
     return np.asarray(least[head])
-
-
-def faces_of_contacts(joints: Joints) -> np.ndarray:
-    """(C,) the first polygon of the joint face to which each contact belongs."""
-    return np.asarray(first_patches(joints)[joints.patch])

@@ -3,7 +3,7 @@
 import numpy as np
 
 from geometry.blocks import Joints
-from geometry.joints.second_moments import Lacks, faces_of_contacts, moments
+from geometry.joints.second_moments import Lacks
 
 
 def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.ndarray) -> float:
@@ -14,9 +14,8 @@ def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.
     if not len(force):
         return 0.0
     pull = np.einsum("ci,ci->c", joints.normal, force)
-    moment = moments(joints, pull, force - pull[:, None] * joints.normal)
-    count = len(joints.patch_start) - 1
-    face = faces_of_contacts(joints)
+    moment = lacks.moments(joints.normal, pull, force - pull[:, None] * joints.normal)
+    face, count = lacks.face, len(lacks.whole)
     area = np.bincount(face, joints.area, count)
     none = (area <= 0.0).astype(float)  # polygons of a face whose number is that of another one
     normal, shear = ((np.bincount(face, values, count) + none) / (area + none) for values in stiffness.T)

@@ -7,7 +7,7 @@ import numpy as np
 from geometry.blocks import Joints
 from geometry.joints.contact_points import contact_points
 from geometry.joints.point_density import Density
-from geometry.joints.second_moments import Lacks, first_patches, lacking_flexibility, of_polygons
+from geometry.joints.second_moments import lacking_flexibility, of_polygons
 from masonry.assembly.assemble import Assembly
 from masonry.assembly.contact_pairs import points_along
 from masonry.detection.spread import AT_CORNERS, rounds_of
@@ -100,8 +100,8 @@ class Shear(NamedTuple):
 def faces_of(assembly: Assembly) -> Faces:
     """The joint faces of a specimen."""
     joints, model = assembly.joints, assembly.model
-    first_patch = first_patches(joints)
-    patch, of = np.unique(first_patch[joints.patch], return_inverse=True)
+    lacks = lacking_flexibility(joints)
+    patch, of = np.unique(lacks.face, return_inverse=True)
     order = np.argsort(of, kind="stable")
     start = np.searchsorted(of[order], np.arange(len(patch) + 1))
     area = np.add.reduceat(joints.area[order], start[:-1])
@@ -121,9 +121,8 @@ def faces_of(assembly: Assembly) -> Faces:
     for joint, first, end in zip(properties, bounds[:-1], bounds[1:], strict=True):
         if is_glued(joint):
             tears_at[first:end] = np.asarray(joint.tensile_strength) / np.asarray(joint.normal_stiffness)
-    lacks = lacking_flexibility(joints)
-    softness = Lacks(lacks.bending[patch], lacks.twist[patch]).over(stiffness, shear)
-    own = _polygons(joints, first_patch, patch)
+    softness = lacks.over(stiffness, shear, patch)
+    own = _polygons(joints, lacks.whole, patch)
     return Faces(
         patch, own, of, order, start, area, middle, normal, group, stiffness, softness, glued, arm, inverse, tears_at
     )
