@@ -6,6 +6,9 @@ from masonry.runtime.state_file import Remembering
 
 BESIDE = 2
 """Steps before the peak, and after it, that are kept."""
+BORNE, THROUGH = 0.5, 1e-4
+"""A force that has been above so much of the peak before it for less than such a share of the way is a blow. What fell
+against a drive struck it for 1e-5 to 4e-5 of its way (from 2 to 30 steps); what is borne rises over a tenth of it."""
 
 
 class AroundPeak(Remembering):
@@ -14,12 +17,29 @@ class AroundPeak(Remembering):
     before  (2, 2) place (m) and force (N) of the last steps so far
     curve   (2, <= 5) the same from two steps before the peak so far to two steps after it
     peak    number of the peak in that
+    rises   m, the last place at which the force was below a share BORNE of the peak so far
+    through share of the way since when the peak so far had been above that of the one before it
     """
 
-    REMEMBERED = ("before", "curve", "peak")
+    REMEMBERED = ("before", "curve", "peak", "rises", "through")
 
     def __init__(self) -> None:
-        self.before, self.curve, self.peak = np.zeros((2, 0)), np.zeros((2, 0)), 0
+        self.before, self.curve, self.peak, self.rises = np.zeros((2, 0)), np.zeros((2, 0)), 0, 0.0
+        self.through = 1.0
+
+    def strikes(self, place: np.ndarray, force: np.ndarray, highest: int, peak: float) -> bool:
+        """Whether the highest of the forces (n,) N of the next steps, at places (n,) m, is a blow above such a peak
+        (N)."""
+        before = np.flatnonzero(force[:highest] < BORNE * peak)
+        begins = place[before[-1]] if len(before) else self.rises
+        way, through = abs(float(place[highest])), abs(float(place[highest] - begins))
+        struck = bool(force[highest] > peak and through < THROUGH * way)
+        if force[highest] > peak and not struck:
+            peak, self.through = float(force[highest]), through / way if way else 1.0
+        low = np.flatnonzero(force < BORNE * peak)
+        if len(low):
+            self.rises = float(place[low[-1]])
+        return struck
 
     def see(self, place: np.ndarray, force: np.ndarray, peak: int | None) -> None:
         """The places (n,) m and forces (n,) N of the next steps, and which of them is higher than all before; None

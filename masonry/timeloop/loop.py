@@ -140,15 +140,17 @@ class Loop:
 
     def find_peak(self, path: np.ndarray, drive_force: np.ndarray, begins: bool) -> None:
         """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
-        `begins`, not only at rows. Once a block has fallen there is no peak any more: what falls hits the drive."""
+        `begins`, not only at rows. A blow is none; and once a block has fallen there is none any more: it hits the
+        drive."""
         force = drive_force * self.recording.sign
         if begins:
             self.outcome.peak_force = float(force[0])
             self.heights = np.array([[force[0], path[0]]])
         k, low = int(np.argmax(force)), int(np.argmin(force))
-        higher = not self.has_fallen and bool(force[k] > self.outcome.peak_force)
+        struck = self.has_fallen or self.around_peak.strikes(path, force, k, self.outcome.peak_force)
+        higher = not struck and bool(force[k] > self.outcome.peak_force)
         self.around_peak.see(path, force, k if higher else None)
-        if self.has_fallen:
+        if struck:
             self.outcome.blow = max(self.outcome.blow, float(force[k]))
         elif higher:
             self.rise(force[: k + 1], path[: k + 1])
@@ -274,7 +276,10 @@ class Loop:
             history.rows[INPUT_ENERGY] = energy_in
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
-        self.outcome.missed_between_steps = self.around_peak.missed()
+        self.outcome.missed_between_steps, self.outcome.borne_through = (
+            self.around_peak.missed(),
+            self.around_peak.through,
+        )
         self.outcome.take_extremes_of_rows()
         frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}

@@ -15,9 +15,10 @@ from masonry.timeloop.around_peak import missed_between_rows
 
 @dataclass
 class Outcome:
-    """What the loop found besides the rows: the peak seen at any step before a block had fallen, the share by which the
-    force may have been higher between two steps, the largest force after that (`blow`), and the lowest force; all but
-    `blow` of rows where the drive turned back; the times; what observers said at each row and of the whole run, by
+    """What the loop found besides the rows: the peak seen at any step before a block had fallen, the share of the way
+    through which it was borne until then, the share by which the force may have been higher between two steps, the
+    largest force of a blow or after a fall (`blow`), and the lowest force; all but `blow` of rows where the drive
+    turned back; the times; what observers said at each row and of the whole run, by
     their names for it; what came of the loading; the sudden cracks; the forces from outside and of the contacts at the
     frames of the peak and of the end.
     """
@@ -25,6 +26,7 @@ class Outcome:
     history: History
     peak_force: float = 0.0
     displacement_at_peak: float = 0.0
+    borne_through: float = 1.0
     missed_between_steps: float | None = None
     blow: float = 0.0
     lowest_force: float = 0.0

@@ -235,13 +235,40 @@ def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, 
     assert said(doubts, words) == bool(words)
 
 
+RISEN = {"borne_through": 0.005, "found": {"collapse": None}}
+"""A peak that has just risen, and nothing fell."""
+
+
+def struck(**outcome):
+    """A peak of 6 MPa, and 2 in the highest row."""
+    assembly = SimpleNamespace(specimen=SimpleNamespace(section=0.5), plan=SimpleNamespace(settle=0))
+    rows = {"step": np.array([5, 10]), "stress": np.array([1e6, 2e6])}
+    return inspected(
+        assembly,
+        **{"standing_rows": rows, "displacement_at_peak": 1e-3, "peak_force": 3e6, "blow": 0.0} | RISEN | outcome,
+    )
+
+
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_a_peak_is_a_blow_where_it_is_a_fifth_above_all_rows(share, told):
     assembly = SimpleNamespace(specimen=SimpleNamespace(section=0.5), plan=SimpleNamespace(settle=10))
     rows = {"step": np.array([5, 10, 20]), "stress": np.array([9e6, 1e6, 2e6])}
     force = share * 1.2 * 2e6 * 0.5
-    run = inspected(assembly, standing_rows=rows, displacement_at_peak=1e-3, peak_force=force)
+    run = inspected(assembly, standing_rows=rows, displacement_at_peak=1e-3, peak_force=force, **RISEN, blow=force)
     assert said(blow.doubts(run), "the peak is a blow between two rows, and the highest row shows 2 MPa") == told
+
+
+@pytest.mark.parametrize(("through", "told"), [(0.0099, True), (0.0101, False)])
+def test_a_peak_that_was_there_for_a_hundredth_of_the_way_is_no_blow_whatever_rows_show(through, told):
+    run = struck(borne_through=through)
+    assert said(blow.doubts(run), "the peak is a blow between two rows") == told
+
+
+@pytest.mark.parametrize(("share", "fallen", "told"), [(0.99, False, False), (1.01, False, True), (1.01, True, False)])
+def test_a_blow_that_does_not_count_is_told_where_nothing_fell(share, fallen, told):
+    """What falls stands in `collapse`."""
+    run = struck(blow=share * 3e6, borne_through=1.0, found={"collapse": (1, 2, {}) if fallen else None})
+    assert said(blow.doubts(run), f"a blow of {6.0 * share:.4g} MPa is not counted for the peak") == told
 
 
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)

@@ -55,10 +55,12 @@ def test_it_runs_to_rest_and_falls_where_it_should(name):
 
 
 @pytest.mark.slow
-def test_a_peak_that_no_row_comes_near_is_told_as_a_blow():
+def test_a_peak_that_no_row_comes_near_is_no_blow_where_the_force_rose_to_it():
+    """The joint lets go between two rows, after 0.02 of 260 mm."""
     result = laboratory.run(load("couplet-slid-off"))
     assert result.summary["peak_stress_pa"] > 1.2 * result.history.rows["stress"].max()
-    assert "the peak is a blow between two rows" in trust(result.summary)
+    assert 1e-5 < result.summary["displacement_at_peak_m"] < 3e-5
+    assert trust(result.summary).startswith("sound")
 
 
 def test_the_rocking_block_leans_on_one_edge_by_half_its_slenderness():

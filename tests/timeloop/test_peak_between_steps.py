@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.timeloop.around_peak import AroundPeak, missed_between_rows
+from masonry.timeloop.around_peak import THROUGH, AroundPeak, missed_between_rows
 from verification.scene_runs import result_of
 
 STRENGTH = 0.87e6 + 1.01 * 0.5e6
@@ -66,3 +66,30 @@ def test_a_plateau_and_a_force_that_still_rises_miss_nothing():
         around = AroundPeak()
         around.see(np.arange(12.0), force, int(np.argmax(force)))
         assert around.missed() == 0.0
+
+
+@pytest.mark.parametrize("cuts", [[], [14], [12, 16]])
+@pytest.mark.parametrize(("share", "struck"), [(0.99, True), (1.01, False)])
+def test_a_force_that_was_there_for_less_than_a_ten_thousandth_of_the_way_is_a_blow(cuts, share, struck):
+    """8 N are borne at 1 mm; at 100 mm, from nothing, 9 N."""
+    rises = 0.1 - share * THROUGH * 0.1
+    place = np.concatenate([np.linspace(1e-4, 1e-3, 10), [0.01, 0.05, rises, 0.5 * (rises + 0.1), 0.1, 0.1001, 0.2]])
+    force = np.concatenate([np.linspace(0.8, 8.0, 10), [5.0, 0.0, 3.9, 6.0, 9.0, 0.0, 1.0]])
+    around, highest, blows = AroundPeak(), 0.0, []
+    for places, piece in zip(np.split(place, cuts), np.split(force, cuts), strict=True):
+        k = int(np.argmax(piece))
+        if around.strikes(places, piece, k, highest):
+            blows.append(float(piece[k]))
+        else:
+            highest = max(highest, float(piece[k]))
+    if cuts:
+        assert (highest, blows) == ((8.0, [9.0]) if struck else (9.0, []))
+        assert around.through == pytest.approx(1.0 if struck else share * THROUGH, rel=1e-9)
+    else:
+        assert (highest, blows) == (9.0, []), "the first peak of all is none"
+
+
+def test_no_force_that_is_borne_from_the_first_step_on_is_a_blow():
+    around = AroundPeak()
+    assert not around.strikes(np.array([0.0]), np.array([100.0]), 0, 0.0) and around.through == 1.0
+    assert not around.strikes(1e-9 * np.arange(1.0, 4.0), 1e9 * np.arange(1.0, 4.0), 2, 100.0)
