@@ -9,6 +9,7 @@ import numpy as np
 from geometry.blocks import Joints, Specimen
 from masonry.errors import SceneError, nearest
 from masonry.limit_analysis.contact_strengths import POINTS, contacts_of, mean_stiffness, touching
+from masonry.limit_analysis.corner_points import followed, range_of, say_of_corners
 from masonry.limit_analysis.element_limits import limit_elements, with_elements
 from masonry.limit_analysis.expected import LimitProgress, size_words
 from masonry.limit_analysis.limit_loads import Loads, loads_of
@@ -27,12 +28,11 @@ from masonry.limit_analysis.remarks import (
 from masonry.limit_analysis.twists import say_of_twists
 from masonry.scene import Scene
 from masonry.statics.jammed import jammed
-from masonry.statics.no_dilation import without_dilation
 from masonry.statics.plane import plane_of
 from masonry.statics.problem import RigidBodies, RigidContacts, Solution
 from masonry.statics.safety import factor_of_safety
-from masonry.statics.solve import ANY, STANDS, UPWARD, Method, Range, largest_factor, method_word, standing
-from masonry.statics.tilted import tilt_factor, tilt_without_dilation
+from masonry.statics.solve import ANY, STANDS, Method, largest_factor, method_word, standing
+from masonry.statics.tilted import tilt_factor
 
 LEAST_SIDES = 3
 LESS = 0.005
@@ -156,6 +156,8 @@ def _set_factor(
         raise SceneError(f"it cannot stand: no factor of {loads.words} balances the dead loads")
     result.take(solution)
     say_of_twists(result, bodies, contacts)
+    if not wishes.dilation and wishes.points == "corners" and wishes.crushing is None:
+        say_of_corners(result, loads, method, solution.factor, wishes.strength)
     if wishes.dilation:
         say_of_sliding(result, bodies, contacts, solution, cones=not wishes.sides)
     if bodies.together is None:
@@ -170,10 +172,7 @@ def _set_factor(
 
 def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
     """The factor where what slides does not rise, with what the result says of how it was found."""
-    if loads.steady is None:
-        flat = without_dilation(loads.bodies, contacts, method, _range(loads))
-    else:
-        flat = tilt_without_dilation(loads.bodies, contacts, loads.steady, method, _range(loads))
+    flat = followed(loads, contacts, method)
     solution = flat.solution
     result.with_dilation, result.steps = flat.with_dilation, flat.steps
     result.excess, result.open = flat.excess, flat.open
@@ -191,13 +190,8 @@ def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts
 
 def _with_dilation(loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
     if loads.steady is None:
-        return largest_factor(loads.bodies, contacts, method, _range(loads))
+        return largest_factor(loads.bodies, contacts, method, range_of(loads))
     return tilt_factor(loads.bodies, contacts, loads.steady, method)
-
-
-def _range(loads: Loads) -> Range:
-    """What a drive pushes with may have any sign; other loads grow from nothing."""
-    return UPWARD if loads.bodies.together is None else ANY
 
 
 def _set_safety(
