@@ -33,7 +33,7 @@ STEPS = {
     "dome-own-weight": 20000,
     "facade-shaken": 1422954,
     "facade-tilted": 1486656,
-    "house-tilted": 55100,
+    "house-tilted": 71050,
     "prism-in-compression": 8068,
     "rubble-pile": 1052880,
     "shear-wall": 102386,

@@ -6,8 +6,11 @@ stress spread over their area, over all that joints do by bending and sliding; o
 they store beside the contacts. A joint that is a small part of all that work is asked by the movement of its own
 block. The peak counts, and the frame with the largest work before it; the limit is the accuracy that was asked for.
 Where a run is made for a strength, and joints gave way, few_points asks what these bear. Closed joints decide there too
-how blocks press on each other, and with that what friction bears: a facade with two points along each edge was 2 to 3 %
-too weak, with four, six and eight it is the same.
+how blocks press on each other, and with that what friction bears. What that makes of a strength is told by a rule: by
+two points along each edge a facade was 1.2 % weaker than by four and 1.9 % weaker than by six, a house 0.9 % weaker and
+0.4 % stronger, others 0.7 % weaker and 1.9 % stronger. Two estimates did not measure it: by virtual work of friction
+with the pressures of elastic joints under the load that is borne, the facade is 1.1 % too strong, and it is too weak;
+following the load without dilation with more points takes ten times as long as a run with them does.
 
 Patches of large displacement lie at their corners where the scene chooses none. They decide where no block moved by
 more than a thousandth of the smallest one: then joints hardly open.
@@ -27,7 +30,7 @@ STAYS = 1e-3
 """Of the smallest block."""
 HARDLY = 0.1
 """Of the movement of a block, what the turn of its joint makes of it: below that joints hardly bend."""
-CORNERS, RUBS, TWISTS = 0.03, 0.1, 1e-3
+CORNERS, RUBS, TWISTS = 0.02, 0.1, 1e-3
 """By what share a load may be off where joints have points at their corners alone; shares of the work of joints at the
 peak, of friction and of twists, from which on that counts."""
 GAVE_WAY = 0.01
