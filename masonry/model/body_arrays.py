@@ -252,11 +252,11 @@ def group_state(state: ContactState, joint: JointProperties) -> ContactState:
 def idle_where_dry(groups: Groups) -> Groups:
     """The same groups, where those without strength have a law that does nothing: patches take their place."""
     parts = zip(groups.parameters, groups.properties, groups.states, strict=True)
-    kept = [
+    near = [
         (Elastic(), JointProperties(joint.normal_stiffness, joint.shear_stiffness), ContactState())
         if not has_strength(joint)
         else (parameters, joint, state)
         for parameters, joint, state in parts
     ]
-    columns = [tuple(column) for column in zip(*kept, strict=True)] or [(), (), ()]
+    columns = [tuple(column) for column in zip(*near, strict=True)] or [(), (), ()]
     return Groups(columns[0], columns[1], columns[2], groups.bounds)
