@@ -15,7 +15,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.estimates.joint_faces import Faces, Look, Shear, corners_of, law_of, points_of
 from masonry.estimates.joint_planes import PlanePoints, axes_across, borne_in_plane, shear_strengths, softening
 from masonry.estimates.joint_pressures import StressBounds, pressures
-from masonry.estimates.joint_sections import depth_of, envelope, of_points, spread, strength
+from masonry.estimates.joint_sections import Section, depth_of, envelope, moments, of_points, spread, strength
 from masonry.laws.state import JointProperties
 from masonry.rows.history import Frame
 
@@ -25,7 +25,8 @@ so few on each of many polygons that make up a face."""
 FURTHER = 10.0
 """Times the opening at which a joint tears, up to which one that is whole could open were there more points."""
 TURNED = 1e-3
-"""Times the same opening: a joint that has never opened further at one edge than at the other does not bend."""
+"""Times the same opening, or its mean closing: a joint that has never opened further at one edge than at the other
+does not bend."""
 LEAST_ARM = 1.0 / 12.0
 """Of the depth of a joint: section modulus over area, of a triangle that opens from its tip; of a rectangle a sixth."""
 SLID = 1e-3
@@ -34,8 +35,8 @@ SLID = 1e-3
 
 class Borne(NamedTuple):
     """A joint in one of the two ways: its contacts, whether in its plane, whether it gave way; its shares (2,) of the
-    work; what it carries at the peak over what it bears by many points; and what points (n, 3) m with areas (n,) m2
-    bear over that."""
+    work; what it carries at the peak over what it bears by many points; what points (n, 3) m with areas (n,) m2 bear
+    over that; and of one that bends, the moments (A,) N m of such points, or of many, at multiples (A,) of its turn."""
 
     contacts: np.ndarray
     in_plane: bool
@@ -43,6 +44,7 @@ class Borne(NamedTuple):
     shares: np.ndarray
     carries: float
     by: Callable[[np.ndarray, np.ndarray], float]
+    at: Callable[[np.ndarray, tuple[np.ndarray, np.ndarray] | None], np.ndarray] | None = None
 
 
 def bent(
@@ -60,7 +62,8 @@ def bent(
     along = now.turn[face] / length
     corners, moment = corners_of(faces, face), abs(float(now.moment[face] @ along))
     depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
-    if turn * depth <= TURNED * tears_at or (
+    closes = -force / (faces.stiffness[face] * faces.area[face])
+    if turn * depth <= TURNED * max(tears_at, closes) or (
         not gave and moment < LEAST_ARM * depth * (limit * faces.area[face] - force)
     ):
         return None
@@ -74,11 +77,16 @@ def bent(
     if bears <= 0.0 or (not gave and moment <= bears):
         return None
 
-    def by(point: np.ndarray, area: np.ndarray) -> float:
-        section = of_points((point - middle) @ along, area)
-        return strength(section, law, force, moment, turn) / bears
+    def own(point: np.ndarray, area: np.ndarray) -> Section:
+        return of_points((point - middle) @ along, area)
 
-    return Borne(faces.contacts(face), False, gave, shares, moment / bears, by)
+    def by(point: np.ndarray, area: np.ndarray) -> float:
+        return strength(own(point, area), law, force, moment, turn) / bears
+
+    def at(times: np.ndarray, points: tuple[np.ndarray, np.ndarray] | None) -> np.ndarray:
+        return moments(many if points is None else own(*points), law, force, moment, turn, times * length)
+
+    return Borne(faces.contacts(face), False, gave, shares, moment / bears, by, at)
 
 
 def by_many(polygons: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

@@ -154,10 +154,36 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
     A pressure stays as it is while the moment grows. A tension grows with the moment, on the same line of action. What
     crushes is turned as far as it takes, and what has no tension and does not crush turns about its edge.
     """
-    area = float(section.area.sum())
-    presses = max(-force, 0.0) / (law.stiffness * area)
-    if law.limit == 0.0 and (presses == 0.0 or np.isinf(law.crushes[1])):
+    first, last = _looked_at(section, law, force, farthest)
+    if np.isinf(last):
         return force * float(section.place.min())
+    arm = _line_of_action(section, law, force, moment)
+    fibres = len(section.place)
+    turns = np.geomspace(first, last, max(TURNS // fibres, FEWEST))
+    borne = _borne(section, law, force, arm, turns)
+    most = int(np.argmax(borne))
+    beside = turns[max(most - 1, 0)], turns[min(most + 1, len(turns) - 1)]
+    turns = np.geomspace(*beside, max(NEARER // fibres, FEWEST))
+    return float(max(borne[most], _borne(section, law, force, arm, turns).max()))
+
+
+def moments(
+    section: Section, law: Envelope, force: float, moment: float, farthest: float, turns: np.ndarray
+) -> np.ndarray:
+    """(T,) N m: what the same section bears at turns (T,) rad; beyond those that `strength` looks at, what it bears at
+    the last of them."""
+    last = _looked_at(section, law, force, farthest)[1]
+    if np.isinf(last):
+        return np.full(len(turns), force * float(section.place.min()))
+    arm = _line_of_action(section, law, force, moment)
+    return _borne(section, law, force, arm, np.minimum(turns, last))
+
+
+def _looked_at(section: Section, law: Envelope, force: float, farthest: float) -> tuple[float, float]:
+    """rad: the turns between which the largest moment lies; infinite where a section turns about its edge."""
+    presses = max(-force, 0.0) / (law.stiffness * float(section.area.sum()))
+    if law.limit == 0.0 and (presses == 0.0 or np.isinf(law.crushes[1])):
+        return np.inf, np.inf
     first = ELASTIC * (law.limit or presses) / section.depth
     last = max(farthest, 2.0 * first / ELASTIC)
     if law.limit > 0.0:
@@ -166,15 +192,13 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
         last = max(min(farthest, useless), 2.0 * first / ELASTIC)
     if np.isfinite(law.crushes[1]):
         last = max(last, OVER * law.crushes[1] / section.depth)
-    pulled = force > PULLED * law.limit * law.stiffness * area and moment > 0.0
-    arm = moment / force if pulled else 0.0
-    fibres = len(section.place)
-    turns = np.geomspace(first, last, max(TURNS // fibres, FEWEST))
-    borne = _borne(section, law, force, arm, turns)
-    most = int(np.argmax(borne))
-    beside = turns[max(most - 1, 0)], turns[min(most + 1, len(turns) - 1)]
-    turns = np.geomspace(*beside, max(NEARER // fibres, FEWEST))
-    return float(max(borne[most], _borne(section, law, force, arm, turns).max()))
+    return first, last
+
+
+def _line_of_action(section: Section, law: Envelope, force: float, moment: float) -> float:
+    """m: the arm of a tension, which grows with its moment; 0 of a pressure, which stays as it is."""
+    least = PULLED * law.limit * law.stiffness * float(section.area.sum())
+    return moment / force if force > least and moment > 0.0 else 0.0
 
 
 def _borne(section: Section, law: Envelope, force: float, arm: float, turns: np.ndarray) -> np.ndarray:

@@ -247,3 +247,13 @@ def test_how_much_too_stiffly_few_points_bend_and_twist_is_told(case: Case) -> N
     assert joint.faces.softness[0, :2, :2] == pytest.approx(bends, abs=1e-6 * np.linalg.inv(many).max() / KN)
     assert joint.faces.softness[0, 2, 2] == pytest.approx(twists, abs=1e-6 * scale)
     assert (case.rule, case.number) == ("vertex", 2) or abs(twists) < NEAR * scale, "two points at the edges alone"
+
+
+@pytest.mark.parametrize("law", ["dry", "crushing", "glued"])
+def test_a_joint_that_closes_evenly_but_for_rounding_does_not_bend(law):
+    joint = Joint(next(case for case in CASES if case.law == law))
+    closes = 1e6 / KN
+    look = joint.look(force=np.array([-1e6 * joint.area]), turn=np.array([[1e-12, 0.0, 0.0]]))
+    turns = np.array([1e-4, 1e-2]) * closes / np.ptp(joint.case.corners[:, 0])
+    few, some = (bent(joint.assembly, joint.faces, look, 0, True, turn, np.ones(2)) for turn in turns)
+    assert few is None and some is not None

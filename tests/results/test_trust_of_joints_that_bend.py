@@ -139,6 +139,17 @@ def test_a_wall_in_which_joints_bend_and_slide_says_to_which_side_its_peak_is_of
     assert word == 1.0 and peak == pytest.approx(right, rel=0.02)
 
 
+@pytest.mark.parametrize(
+    ("name", "points", "near"),
+    [("slender pier", ("gauss", 2), 0.035), ("strip, pushed at its middle", ("vertex", 4), 0.045)],
+)
+def test_joints_that_do_not_bear_most_at_once_are_asked_together(name, points, near):
+    """Joint by joint the pier would be 10 % too weak, and the strip 8 % too strong."""
+    wall = walls()[name]
+    (few, word, _), (right, silent, _) = (peak_and_word(wall, *these) for these in (points, ("gauss", 12)))
+    assert word == pytest.approx(few / right, abs=near) and few > 1.01 * right and silent == 1.0
+
+
 def test_a_facade_with_two_points_at_the_edges_of_its_joints_is_too_strong_and_says_so():
     facade = walls()["facade, 0.3 MPa"]
     (few, doubt, _), (right, silent, _) = (peak_and_word(facade, *points) for points in (("vertex", 2), ("gauss", 6)))

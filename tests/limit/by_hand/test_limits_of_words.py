@@ -9,7 +9,7 @@ import pytest
 
 import masonry
 from masonry.errors import SceneError
-from masonry.limit_analysis import analysis
+from masonry.limit_analysis import analysis, corner_points
 from masonry.limit_analysis.contact_strengths import rises, touching
 from masonry.statics.no_dilation import Flat
 from tests.limit.one_block import SIDEWAYS, STRONG, block
@@ -51,13 +51,13 @@ def test_a_gap_of_a_millionth_has_a_word(gap, told, monkeypatch):
 
 @pytest.mark.parametrize(("left", "told"), [(0.9951, False), (0.9949, True)])
 def test_a_factor_that_falls_by_half_a_per_cent_behind_its_peak_has_a_word(left, told, monkeypatch):
-    solve = analysis.without_dilation
+    solve = corner_points.without_dilation
 
     def fallen(*args) -> Flat:
         flat = solve(*args)
         return replace(flat, left=left * flat.solution.factor)
 
-    monkeypatch.setattr(analysis, "without_dilation", fallen)
+    monkeypatch.setattr(corner_points, "without_dilation", fallen)
     assert said("what slides loses the pressure that held it", dilation=False) == told
 
 

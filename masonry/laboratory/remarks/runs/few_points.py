@@ -12,6 +12,7 @@ from geometry.joints.point_density import Density
 from masonry.detection.spread import rounds_of
 from masonry.estimates.joint_faces import MOST, SPREAD, Look, are_patches, own_points, patch_points, points_of
 from masonry.estimates.joint_motions import Borne, bent, slid
+from masonry.estimates.mechanisms import bears_at_peak, borne_together
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
 
@@ -33,10 +34,11 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     limit, bears = inspection.accuracy, _that_matter(inspection)
     if not bears:
         return []
-    own = [one.by(*own_points(inspection.assembly, inspection.faces, face)) for face, one in bears]
+    points = [own_points(inspection.assembly, inspection.faces, face) for face, _ in bears]
     joints = [one for _, one in bears]
+    own = np.array([one.by(*these) for one, these in zip(joints, points, strict=True)])
     carried = np.array([_carried(one, ratio) for one, ratio in zip(joints, own, strict=True)])
-    off = _off(joints, carried)
+    off = _off_together(joints, carried, points)
     if abs(off - 1.0) <= limit:
         return []
     worst = int(np.argmax(np.array([one.shares.max() for one in joints]) * np.log(carried) * np.sign(off - 1.0)))
@@ -113,10 +115,20 @@ def _carried(one: Borne, borne: float) -> float:
     return float(np.sqrt(borne * (one.carries if one.carries > 1.0 else min(borne, 1.0))))
 
 
+def _off_together(joints: list[Borne], carried: np.ndarray, points: list[tuple[np.ndarray, np.ndarray]]) -> float:
+    """The strength over what it should be: joints that bend open do so in one mechanism, the others each by itself."""
+    bend = [k for k, (one, own) in enumerate(zip(joints, points, strict=True)) if bears_at_peak(one, own)]
+    each = np.tile(carried[:, None], 2)
+    if bend:
+        each[bend] = borne_together([joints[k] for k in bend], [points[k] for k in bend])
+    return _off(joints, each)
+
+
 def _off(joints: list[Borne], carried: np.ndarray) -> float:
-    """The strength over what it should be, by the one of the two reckonings by which it is further off."""
-    carried = np.maximum(carried, NOTHING)
-    off = 1.0 / (1.0 - (1.0 - 1.0 / carried) @ np.array([one.shares for one in joints]))
+    """The strength over what it should be, by the one of the two reckonings by which it is further off; carried (J,),
+    or (J, 2) for each of them."""
+    carried = np.maximum(carried.reshape(len(joints), -1), NOTHING)
+    off = 1.0 / (1.0 - ((1.0 - 1.0 / carried) * np.array([one.shares for one in joints])).sum(axis=0))
     return float(off[np.argmax(np.abs(np.log(off)))])
 
 
