@@ -1,4 +1,4 @@
-"""What stands where: blocks, meshes and joints as plain arrays. Knows no mechanics; imports no `masonry`."""
+"""Geometry: blocks, meshes and joints as plain arrays. Knows no mechanics; imports no `masonry`."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any

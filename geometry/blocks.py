@@ -123,7 +123,7 @@ class JointPolygons:
 
 @dataclass(frozen=True)
 class CellReport:
-    """What a division came to. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
+    """Quality of a division. Lengths are relative to h: the root of the mean area, or cube root of the mean volume.
 
     count               cells
     h                   m

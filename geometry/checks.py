@@ -1,4 +1,4 @@
-"""What every specimen asks of its sizes, with messages that name the nearest valid choice."""
+"""Requirements of every specimen on its sizes, with messages that name the nearest valid choice."""
 
 from collections.abc import Sequence
 

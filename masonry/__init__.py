@@ -112,7 +112,7 @@ def contact(scene: "SceneLike | None" = None, **known: Any) -> "ContactTable":
 
 
 def check(scene: "SceneLike") -> "Report":
-    """What a scene would run, without running it: sizes, time step, expected seconds, what is not compiled, warnings.
+    """Sizes, time step, expected seconds, parts not compiled and warnings of a scene, without running it.
 
     scene  a scene, a file of one, the name of a packaged one, or a dictionary
     A dictionary that prints as `masonry check` does. Raises SceneError or GeometryError.

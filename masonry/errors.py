@@ -1,4 +1,4 @@
-"""What a user may be told: one clear message, exit code 2, no traceback."""
+"""Errors that a user is told: one clear message, exit code 2, no traceback."""
 
 import difflib
 from collections.abc import Iterable, Sequence
@@ -10,7 +10,7 @@ class SceneError(ValueError):
 
     @property
     def lines(self) -> list[str]:
-        """What to show: one line, whatever letters the words that it quotes have."""
+        """Lines to show: a single one, whatever characters the quoted words have."""
         return [visible(str(self))]
 
     def within(self, where: str, without: str = "") -> "SceneError":
@@ -77,7 +77,7 @@ def did_you_mean(word: str, known: Iterable[str], likeness: float = 0.4) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """What is allowed, and the nearest of it, for the end of a message."""
+    """Allowed words, and the nearest of them, for the end of a message."""
     allowed = sorted(known)
     hint = did_you_mean(word, allowed)
     return f"known here: {', '.join(allowed)}{hint}"

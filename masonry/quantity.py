@@ -172,7 +172,7 @@ def written(kind: str) -> str:
 
 
 def _short(value: Any) -> str:
-    """What the user wrote, quoted if a text, and cut where it is long."""
+    """Value as the user wrote it, quoted if a text, and cut where it is long."""
     try:
         text = repr(value[:_LONGEST] + "...") if isinstance(value, str) and len(value) > _LONGEST else repr(value)
     except ValueError:

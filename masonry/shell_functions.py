@@ -132,7 +132,7 @@ def resume(folder: str | Path, threads: int | str | None = None) -> "Result":
 
 
 def law(name: str, settings: Mapping[str, Any] | None = None, plot: str | Path | None = None) -> "LawReport":
-    """What a law does of a contact: its parameters, energies as they are measured, what it refuses.
+    """Response of a contact under a law: parameters, energies as measured, values that the law refuses.
 
     settings  keys of the contact, {"cohesion": "0.6 MPa"}; the others are those of the couplet and the law's examples
     plot      a .png file to draw it to

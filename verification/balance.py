@@ -62,8 +62,8 @@ def open_by(result: Result) -> float:
 
 
 def mismatch(result: Result) -> float:
-    """What the laws book as dissipated against the work that contacts took less what they store, over the first; at the
-    end of a run."""
+    """Mismatch between the dissipation that the laws book and the work that contacts took less what they store, over
+    the first; at the end of a run."""
     rows = result.history.rows
     booked_energy = sum(float(rows[name][-1]) for name in (*DISSIPATED, *IN_LARGE) if name in rows)
     stored = sum(float(rows[name][-1]) for name in ("elastic_contacts", "elastic_bars") if name in rows)

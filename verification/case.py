@@ -1,4 +1,4 @@
-"""What a verification case is: numbers held against references, each with a tolerance and its reason."""
+"""Verification case: numbers held against references, each with a tolerance and its reason."""
 
 import math
 from collections.abc import Callable
@@ -124,7 +124,7 @@ class Plot:
 
 @dataclass
 class Findings:
-    """What a case found: checks, plots, remarks, and the ledgers of the runs it made.
+    """Findings of a case: checks, plots, remarks, and the ledgers of the runs it made.
 
     imbalance  name of a run -> largest |energy residual| over external work of all its rows, added up by `balance`
     seconds    name of a run -> seconds of stepping

@@ -55,7 +55,7 @@ def chosen(names: Iterable[str], known: dict[str, Case]) -> list[Case]:
 
 
 def named(names: Iterable[str], known: dict[str, T], kind: str, listing: str) -> list[T]:
-    """What has these names, each once; `kind` and the command of the `listing` are for the message."""
+    """Entries of these names, each once; `kind` and the command of the `listing` are for the message."""
     by_name = {}
     for name in names:
         word = name.lower().replace("_", "-")

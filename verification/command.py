@@ -57,7 +57,7 @@ def parser() -> Parser:
 
 @dataclass(frozen=True, repr=False)
 class Verification:
-    """What came of some cases; it prints as `masonry verify` does."""
+    """Result of some cases; it prints as `masonry verify` does."""
 
     outcomes: list[CaseOutcome]
     seconds: float

@@ -15,7 +15,7 @@ UNTOLD = 0.01
 
 @dataclass(frozen=True)
 class Change:
-    """What one record says against its older self; `bad` where a number moved, or a case no longer holds."""
+    """Change of one record against its older self; `bad` where a number moved, or a case no longer holds."""
 
     where: str
     sentence: str

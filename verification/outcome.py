@@ -89,7 +89,7 @@ def run_case(case: Case) -> CaseOutcome:
 
 
 def answer(case: Case) -> Answer:
-    """What a process that runs the case sends back: the case itself stays where it is."""
+    """Answer of a process that runs the case: the case itself stays where it is."""
     begun = time.perf_counter()
     findings = Findings()
     try:

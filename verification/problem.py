@@ -32,7 +32,7 @@ class Reference:
 
 
 def stress_and_energy(one: SceneRun) -> dict[str, float]:
-    """What most problems measure: peak stress and stress at the end (Pa), and dissipated energy (J)."""
+    """Quantities measured by most problems: peak stress and stress at the end (Pa), and dissipated energy (J)."""
     return {
         "peak stress": one.value("peak"),
         "end stress": one.value("final"),

@@ -33,7 +33,7 @@ Record = dict[str, Any]
 
 @cache
 def origin() -> Record:
-    """What a number depends on besides its case: sources, packages, processor. The same in every record of a run."""
+    """Origin of a number besides its case: sources, packages, processor. The same in every record of a run."""
     return {
         "version": __version__,
         "source_hash": source_hash(),
@@ -95,7 +95,7 @@ def finite(value: float) -> float | None:
 
 
 def version_of(record: Record) -> tuple[str, str]:
-    """What makes two records belong to one version of the program."""
+    """Version of the program to which a record belongs: the same pair for records of one version."""
     return str(record.get("version")), str(record.get("source_hash"))
 
 

@@ -30,7 +30,7 @@ BLOCKS = "made.blocks.h5"
 
 @dataclass
 class SceneRun:
-    """What came of a scene.
+    """Outcome of a scene.
 
     status     OK, STOPPED (the result is that of the steps before), REFUSED (there is none) or NOT FINITE
     reason     why it is not OK, in the program's own words
@@ -66,7 +66,7 @@ class SceneRun:
 
     @property
     def warning(self) -> str:
-        """What the program itself says against the result; "" where it says nothing."""
+        """Doubts of the program itself about the result; "" where it says nothing."""
         if not self.summary:
             return "there is no summary"
         return "; ".join(doubt.sentence for doubt in judgement_of(self.summary).doubts)
@@ -122,7 +122,7 @@ def assembled(
 
 
 def source_of(name: str) -> str:
-    """What `scene.load` takes: the file of a scene of the verification, or what is none, a packaged name or a path."""
+    """Argument of `scene.load`: the file of a scene of the verification, or what is none, a packaged name or a path."""
     file = FOLDER / f"{name}.toml"
     return str(file) if file.is_file() else name
 

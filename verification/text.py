@@ -1,4 +1,4 @@
-"""What `masonry verify` says: a row per case, then in sentences what failed, what is too loose, what is not built."""
+"""Text of `masonry verify`: a row per case, then in sentences what failed, what is too loose, what is not built."""
 
 import textwrap
 from collections.abc import Iterable, Sequence

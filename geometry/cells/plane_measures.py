@@ -49,7 +49,7 @@ def _on_walls(
 
 
 def report(diagram: PlaneDiagram, target: np.ndarray, h: float, seconds: float) -> CellReport:
-    """What a division came to against the target areas (n,), in units of h squared."""
+    """Quality of a division against the target areas (n,), in units of h squared."""
     length = edge_lengths(diagram)
     segment = joint_segments(diagram)
     area = areas_and_centroids(diagram)[0]

@@ -1,4 +1,4 @@
-"""What is asked of a division into cells, and what came out of it."""
+"""Request for a division into cells, and report on the result."""
 
 from dataclasses import dataclass
 

@@ -51,7 +51,7 @@ def divide_space(
 
 
 def space_report(powers: Sequence[Power], targets: Sequence[np.ndarray], seconds: float) -> CellReport:
-    """What the divisions of several domains came to together; targets (n,) m3 for each."""
+    """Quality of the divisions of several domains together; targets (n,) m3 for each."""
     target = np.concatenate(targets)
     h = float(np.cbrt(target.mean()))
     length = np.concatenate([edge_lengths(power) for power in powers]) / h

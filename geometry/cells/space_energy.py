@@ -64,7 +64,7 @@ class Diagram(NamedTuple):
 
 
 class SpaceTargets(NamedTuple):
-    """What a division should be like.
+    """Targets of a division.
 
     target        (n,) volumes
     scale         (n,) of the threshold about each cell

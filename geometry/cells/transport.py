@@ -52,7 +52,7 @@ class SpaceDiagram:
         self._listed_at = self.site.copy(), self.weight.copy()
 
     def _now(self, cells: int) -> Diagram:
-        """What the compiled functions are given; new lists if they did not suffice for one of 20 of the last cells."""
+        """Arguments of the compiled functions; new lists if they did not suffice for one of 20 of the last cells."""
         if 20 * self._cut.used[2] > cells:
             self._list()
         self._cut.used[2] = 0

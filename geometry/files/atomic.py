@@ -17,8 +17,8 @@ LONGEST_NAME = 48
 
 
 def unfinished(name: str) -> str:
-    """What this process calls a file or folder until it is whole: a name that nobody else gives, as what a killed
-    process left of it is deleted."""
+    """Name of a file or folder in this process until it is whole: one that nobody else gives, as what a killed process
+    left of it is deleted."""
     return f".masonry-{os.getpid()}-unfinished-{name[-LONGEST_NAME:]}"
 
 
@@ -66,8 +66,8 @@ class WholeFiles:
         self.new(name).write_text(content, encoding="utf-8", newline="\n")
 
     def settle(self, files: Mapping[str, Path]) -> None:
-        """What a subclass asks or does once all files are written, by their names and where they are so far, and before
-        they take their names."""
+        """Questions or actions of a subclass once all files are written, by their names and where they are so far, and
+        before they take their names."""
 
     def __enter__(self) -> "WholeFiles":
         self.folder.mkdir(parents=True, exist_ok=True)

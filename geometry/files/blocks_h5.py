@@ -52,7 +52,7 @@ def save_blocks(path: Path, specimen: Specimen, mesh: TetMesh | None = None) -> 
 
 
 def load_blocks(path: Path) -> tuple[Specimen, TetMesh | None]:
-    """What save_blocks wrote. Everything is checked; GeometryError, with one message, for any other file."""
+    """Blocks written by save_blocks. Everything is checked; GeometryError, with one message, for any other file."""
     import h5py
 
     require_file(path, LARGEST)

@@ -23,7 +23,7 @@ def text_of_blocks(specimen: Specimen, mesh: TetMesh | None = None) -> str:
 
 
 def blocks_of_text(text: str) -> tuple[Specimen, TetMesh | None]:
-    """What text_of_blocks was given, bit for bit. Everything is checked; GeometryError for any other text."""
+    """Blocks given to text_of_blocks, bit for bit. Everything is checked; GeometryError for any other text."""
     try:
         unpacking = zlib.decompressobj()
         content = unpacking.decompress(base64.b64decode(text, validate=True), LARGEST)

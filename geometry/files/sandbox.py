@@ -35,7 +35,7 @@ MESH = ("nodes", "node_start", "tets", "tet_start")
 
 
 def guarded(module: str, reader: str, path: Path | str, **words: Any) -> Imported:
-    """What `module.reader(path, **words)` returns, called in a process of its own; words must be plain JSON values.
+    """Return value of `module.reader(path, **words)`, called in a process of its own; words must be plain JSON values.
 
     Raises GeometryError with the reader's message, or one that says how the reader ended; also for a file that is
     missing, empty or larger than 500 MB, or a folder whose files are larger together.

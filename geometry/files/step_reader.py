@@ -1,4 +1,4 @@
-"""What the text of a STEP file (ISO 10303-21) says beside the shapes: records, strings, the unit of length.
+"""Data in the text of a STEP file (ISO 10303-21) beside the shapes: records, strings, the unit of length.
 
 The CAD kernel can hand over names itself, but takes time that grows as the square of the number of solids.
 """

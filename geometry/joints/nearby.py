@@ -103,7 +103,7 @@ def _pairs(faces: _Faces, owner: np.ndarray, rule: Rule, width: float) -> _Pairs
 def _shared(
     faces: _Faces, face_a: np.ndarray, face_b: np.ndarray, axis: np.ndarray, rule: Rule, width: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """What faces (N,) share as seen along axes (N, 3), on the plane of face a: corners, count, the distances there."""
+    """Common part of faces (N,) seen along axes (N, 3), on the plane of face a: corners, count, the distances there."""
     corners, count, normal, centroid = faces.corners, faces.count, faces.normal, faces.centroid
 
     def flat(face: np.ndarray) -> np.ndarray:

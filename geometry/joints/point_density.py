@@ -18,7 +18,7 @@ NEWTON = 12
 
 @dataclass(frozen=True)
 class Fan:
-    """What polygons that are no parallelograms get; each is cut into triangles round its centroid.
+    """Points of polygons that are no parallelograms; each is cut into triangles round its centroid.
 
     sectors  (N,) points, each in the middle of its share of the fan; 0 where parts counts
     parts    (N,) steps into which every edge of a triangle is cut, which gives parts^2 small triangles

@@ -1,4 +1,4 @@
-"""What is left of a flat face beside the polygons that cover it, as outlines with holes."""
+"""Rest of a flat face beside the polygons that cover it, as outlines with holes."""
 
 import numpy as np
 

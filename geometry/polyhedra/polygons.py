@@ -56,7 +56,7 @@ def compact(corners: np.ndarray, keep: np.ndarray) -> tuple[np.ndarray, np.ndarr
 def clip(
     corners: np.ndarray, count: np.ndarray, window: np.ndarray, window_normal: np.ndarray, tolerance: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What of each polygon lies within its coplanar window (N, M, 3), by Sutherland and Hodgman (1974).
+    """Part of each polygon within its coplanar window (N, M, 3), by Sutherland and Hodgman (1974).
 
     The window runs counter-clockwise about window_normal (N, 3). Corners within tolerance of its edges count as inside
     and stay as they are. A polygon that does not even touch its window keeps 0 corners.
@@ -78,7 +78,7 @@ def clip(
 
 
 def cut(corners: np.ndarray, count: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """What of each polygon lies where the distance (N, K) is not negative."""
+    """Part of each polygon where the distance (N, K) is not negative."""
     following = np.roll(distance, -1, axis=1)
     used = np.arange(corners.shape[1]) < count[:, None]
     crosses = used & (distance * following < 0)

@@ -32,7 +32,7 @@ def _slices(body: Body, axis: int, levels: np.ndarray, width: float) -> list[Bod
 
 
 def _halves(body: Body, axis: int, level: float, width: float) -> tuple[Body, Body]:
-    """What lies below and above a level (m) of an axis; empty where nothing does."""
+    """Parts below and above a level (m) of an axis; empty where there is nothing."""
     below: Body = []
     above: Body = []
     rim = []

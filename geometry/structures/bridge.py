@@ -30,7 +30,7 @@ class BridgeArch(NamedTuple):
 
 
 class Pier(NamedTuple):
-    """What two arches spring from: width between them and height below their springings, m; number of courses."""
+    """Pier between two arches: width between them and height below their springings, m; number of courses."""
 
     width: float
     height: float

@@ -45,8 +45,8 @@ class Opening(NamedTuple):
 
 @dataclass(frozen=True)
 class Hole:
-    """What is cut out of the courses first..last - 1 between two straight sides: left and right at the lower and at the
-    upper end of each course (n, 2) m."""
+    """Cut-out of the courses first..last - 1 between two straight sides: left and right at the lower and at the upper
+    end of each course (n, 2) m."""
 
     first: int
     left: np.ndarray
@@ -54,7 +54,7 @@ class Hole:
 
 
 class CoursedWall(NamedTuple):
-    """What an opening is cut into: courses, their rise and the length of a module (m)."""
+    """Wall into which an opening is cut: courses, their rise and the length of a module (m)."""
 
     coursing: Coursing
     rise: float
@@ -66,7 +66,7 @@ class CoursedWall(NamedTuple):
 
 
 def holes(opening: Opening, wall: CoursedWall, bearing: float) -> list[Hole]:
-    """What an opening and its head take out of the courses."""
+    """Cut-outs of an opening and its head in the courses."""
     first, top = course_of(opening, wall)
     sides = np.array([opening.left, opening.left + opening.width])
     cuts = [Hole(first, *np.tile(sides[:, None, None], (1, top - first, 2)))]
@@ -126,7 +126,7 @@ def _in_line(opening: Opening, wall: CoursedWall, bearing: float) -> int:
 
 
 def _fault(opening: Opening, wall: CoursedWall, bearing: float) -> str | None:
-    """What is wrong with the pieces that an opening leaves, or with its place in the wall; None if nothing is."""
+    """Fault of the pieces that an opening leaves, or of its place in the wall; None if there is none."""
     cut_out = holes(opening, wall, bearing)
     begin, end = wall.coursing.inner
     least, near = LEAST * wall.module, NEAR * wall.module

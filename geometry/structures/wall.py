@@ -119,7 +119,7 @@ def _corners(
 
 
 def _holes(opening: Sequence[Opening], into: CoursedWall) -> list[Hole]:
-    """What all openings take out of the courses, once it is known that they fit."""
+    """Cut-outs of all openings in the courses, once it is known that they fit."""
     names = [one.name for one in opening]
     for one in opening:
         require_lengths(

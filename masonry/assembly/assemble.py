@@ -170,7 +170,7 @@ def _recording(
     surroundings: Surroundings,
     ground: UniformGround | None,
 ) -> Recording:
-    """What is recorded of a run."""
+    """Quantities recorded of a run."""
     drive, solver = scene.drive, scene.solver
     weight = (0.0, 0.0, 0.0) if scene.gravity is None else scene.gravity.vector
     return Recording(
@@ -230,7 +230,7 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
 
 
 def _draws(scene: Scene, blocks: Blocks, joints: Joints, names: tuple[str, ...], group: np.ndarray) -> list[Drawn]:
-    """What the scene's scatter comes to, group by group; joints sorted by group (C,)."""
+    """Values drawn by the scene's scatter, group by group; joints sorted by group (C,)."""
     if scene.scatter is None:
         return []
     bounds = np.searchsorted(group, np.arange(len(names) + 1))

@@ -75,7 +75,7 @@ def conditions_of(
 def _add_supports(
     scene: Scene, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions
 ) -> None:
-    """What supports and the floor hold."""
+    """Dofs held by supports and by the floor."""
     holds = []
     for k, support in enumerate(scene.support):
         chosen, faces = select(specimen, joints, support.on, f"support.{k}.on")
@@ -112,7 +112,7 @@ def _moved_supports(scene: Scene, conditions: loads.Conditions) -> list[MovedDof
 
 
 def _add_drive(drive: Drive, specimen: Specimen, joints: Joints, layout: Layout, conditions: loads.Conditions) -> None:
-    """What the drive moves, and what supports hold against it."""
+    """Dofs that the drive moves, and those that supports hold against it."""
     chosen, faces = select(specimen, joints, drive.on, "drive.on")
     hold = Hold(chosen, (drive.axis,), (), faces, "drive")
     driven = conditions.held_by["drive"] = held_dofs(specimen.blocks, layout, hold)
@@ -297,7 +297,7 @@ def example_of(specimen: Specimen, joints: Joints, name: str) -> str:
 
 
 def _each_of(parts: list[tuple[np.ndarray, np.ndarray | None]], where: str) -> tuple[np.ndarray, np.ndarray | None]:
-    """What several selectors choose together, each block and each face once."""
+    """Union of the choices of several selectors, each block and each face once."""
     faces = [part for _, part in parts if part is not None]
     if faces and len(faces) < len(parts):
         raise SceneError(f"{where}: names whole blocks and faces; name sets only, or a face of each")

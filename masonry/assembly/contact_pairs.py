@@ -60,7 +60,7 @@ def pairs_of(scene: Scene, blocks: Blocks, compressions: list[float]) -> Pairs:
 
 
 def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
-    """What blocks do where they meet without a bond: stiffnesses, dashpot, and the friction and cohesion that stay."""
+    """Behaviour of blocks that meet without a bond: stiffnesses, dashpot, and the friction and cohesion that stay."""
     numbers = []
     for name in pairs.names:
         joint = pairs.laws[name][1]

@@ -1,4 +1,4 @@
-"""What a drive does along a history in real time: a path whose acceleration is continuous where a table gives it."""
+"""Path of a drive along a history in real time, with a continuous acceleration where a table gives it."""
 
 import numpy as np
 

@@ -56,7 +56,7 @@ def let_grow(
 
 
 def require_places(scene: Scene, specimen: Specimen, joints: Joints) -> None:
-    """What [limit] and [vehicle] act on is there, also where a run leaves it to `masonry limit`. Raises SceneError."""
+    """Check of the places in [limit] and [vehicle], also if only `masonry limit` uses them. Raises SceneError."""
     for word, where in (
         (None if scene.limit is None else scene.limit.on, "limit.on"),
         (None if scene.vehicle is None else scene.vehicle.on, "vehicle.on"),
@@ -86,7 +86,7 @@ def pressure_of(scene: Scene, specimen: Specimen, joints: Joints, layout: Layout
 
 
 def _points_below(pressure: Pressure, layout: Layout) -> list[PointForce]:
-    """What a vehicle presses on rigid blocks with, which moves with them."""
+    """Forces of a vehicle on rigid blocks, which move with these."""
     below = zip(pressure.owner.tolist(), pressure.force, pressure.centre, strict=True)
     return [
         PointForce(block, centre - layout.centroid[block], np.array([0.0, 0.0, -force]), False)

@@ -1,4 +1,4 @@
-"""What blocks weigh, and what moves with them: their material, masses that are added to them, and earth on them."""
+"""Masses of blocks, and masses that move with them: their material, added masses, and earth on them."""
 
 from typing import NamedTuple
 

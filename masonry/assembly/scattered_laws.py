@@ -20,7 +20,7 @@ UNITS = {key: (1e-6, "MPa") for key in ("tensile_strength", "cohesion", "compres
 
 @dataclass(frozen=True)
 class Drawn:
-    """What was drawn for a group of contacts.
+    """Values drawn for a group of contacts.
 
     pairs   (J, 2) numbers of the two units of each joint; within a unit both are the same
     joint   (c,) the joint of each contact of the group

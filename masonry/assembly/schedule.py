@@ -67,7 +67,7 @@ def controlled(scene: Scene) -> Controlled:
 
 
 def program_of(scene: Scene, dt: float) -> Program:
-    """What drive, dead loads and histories ask for, step by step."""
+    """Program of drive, dead loads and histories, step by step."""
     plan = with_waves(scene, with_ground(scene, in_layers(scene, _loading(scene, dt)), dt), dt)
     if scene.gravity is not None and scene.gravity.tilt is not None:
         plan = replace(plan, straight=TILTED)

@@ -127,7 +127,7 @@ def _built(spec: Any) -> Specimen:
 
 
 def _structure(spec: Any) -> Specimen:
-    """What the function of a structure builds of the keys that it asks for, its units divided."""
+    """Specimen from the function of a structure, by the keys that it asks for, its units divided."""
     build = STRUCTURES[spec.kind]
     ring = dict(zip(RING, spec.ring, strict=True)) if hasattr(spec, "ring") else {}
     values = {key: ring[key] if key in ring else getattr(spec, key) for key in signature(build).parameters}
@@ -142,7 +142,7 @@ def _structure(spec: Any) -> Specimen:
 
 
 def _opening(table: OpeningTable) -> Opening:
-    """What a table says of an opening; the rest is as `Opening` has it."""
+    """Opening from a table; the rest is as `Opening` has it."""
     return Opening(**{key: value for key, value in table if value is not None})
 
 

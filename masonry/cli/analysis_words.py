@@ -1,4 +1,4 @@
-"""What `masonry limit` and `masonry modes` share, which analyse a scene without a run: words, and a folder of files."""
+"""Common parts of `masonry limit` and `masonry modes`, which analyse a scene without a run: words, folder of files."""
 
 import argparse
 import json

@@ -1,4 +1,4 @@
-"""What is installed here: packages and their versions, system libraries, processor, threads, compiled code."""
+"""Inventory of this installation: packages and their versions, system libraries, processor, threads, compiled code."""
 
 import importlib
 import os

@@ -1,4 +1,4 @@
-"""What a kind of displacement answers: the one place that asks for it is `configuration_of`.
+"""Interface of a kind of displacement: the one place that asks for it is `configuration_of`.
 
 How bodies move and what they hold is asked of parts (parts/parts.py); here stands what differs in the contacts, in the
 step, and in what may be trusted.
@@ -42,7 +42,7 @@ class Configuration(Protocol):
         """Let act what damps beside the springs of patches, or not."""
 
     def after_row(self) -> None:
-        """What changes between rows: bonds that have nothing left retire."""
+        """Changes between rows: bonds that have nothing left retire."""
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
         """Fill seen (4, C): opening and slip (m), normal and shear stress (Pa); return the stored energy (J)."""
@@ -86,7 +86,7 @@ class Configuration(Protocol):
         """N: forces below tell of the rounding of velocities alone; kinetic, the largest energy (J)."""
 
     def advice(self, leap: float) -> str:
-        """What to do where something leaps by more than `leap` (m) in a step within its proven bound."""
+        """Advice where something leaps by more than `leap` (m) in a step within its proven bound."""
 
     def written(self) -> dict[str, np.ndarray]:
         """By name, each array that steps, the guide or a row write."""
@@ -96,7 +96,7 @@ class Configuration(Protocol):
 
 
 def configuration_of(model: Model) -> Configuration:
-    """What answers for the displacements of a model: one for as long as these are of one kind."""
+    """Configuration that answers for the displacements of a model: one for as long as these are of one kind."""
     large = model.large
     if model.configuration is None or model.configuration[0] is not large:
         model.configuration = large, SmallDisplacement(model) if large is None else LargeDisplacement(model, large)

@@ -1,4 +1,4 @@
-"""What the contacts of the undeformed shape show and store."""
+"""Opening, slip, stress and stored energy of the contacts of the undeformed shape."""
 
 from typing import Any
 
@@ -29,7 +29,7 @@ class ContactsLook:
         return self.made
 
     def look(self) -> float:
-        """What they store (J); `seen` has their opening and slip (m), normal and shear stress (Pa) now."""
+        """Energy (J) stored in the contacts; `seen` has opening and slip (m), normal and shear stress (Pa) now."""
         self.energy[0] = 0.0
         for call in self.calls():
             call()

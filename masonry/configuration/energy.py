@@ -18,7 +18,7 @@ from masonry.rows.columns import CRUSHING, DISSIPATED, ELEMENT_UNITS
 
 
 class Seen(NamedTuple):
-    """What contacts show, (C,) each: opening and slip (m), normal (tension above 0) and shear stress (Pa)."""
+    """Opening and slip (m), normal (tension above 0) and shear stress (Pa) of the contacts, (C,) each."""
 
     opening: np.ndarray
     slip: np.ndarray
@@ -28,8 +28,8 @@ class Seen(NamedTuple):
 
 @dataclass(frozen=True)
 class Observation:
-    """What contacts and blocks show at one moment; stress (B, 6) Pa, energies in J; in large displacement the least
-    det F, and a bound on the longest stretch of any line."""
+    """State of contacts and blocks at one moment; stress (B, 6) Pa, energies in J; in large displacement the least det
+    F, and a bound on the longest stretch of any line."""
 
     seen: Seen
     stress: np.ndarray

@@ -1,4 +1,4 @@
-"""What the joints of the undeformed shape bear: forces of their contacts, and of the patches that take their place.
+"""Forces of the joints of the undeformed shape: those of their contacts, and of the patches that take their place.
 
 In large displacement the points of a patch are not those of the joint. What patches between two units bear in the
 plane of a joint goes to its contacts: normal force and moments by a stress that is linear over what is pressed, as if

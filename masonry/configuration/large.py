@@ -34,7 +34,7 @@ ROUNDED = 1e-6
 
 
 class LargeDisplacement:
-    """What configuration.py asks, of large displacement. What leaps may be a motion, but what it meets is not told
+    """Answers to configuration.py for large displacement. What leaps may be a motion, but what it meets is not told
     well."""
 
     any_size, leap = True, 1e-1

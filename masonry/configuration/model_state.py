@@ -1,4 +1,4 @@
-"""What the steps change in a model, to keep and to put back; and a fingerprint of all the rest."""
+"""State that the steps change in a model, to keep and to put back; and a fingerprint of all the rest."""
 
 import hashlib
 from collections.abc import Iterator

@@ -30,7 +30,7 @@ like others: what is left of the joint would not let them touch elsewhere."""
 
 
 class Carried(NamedTuple):
-    """What the bonds of two blocks carry: force (3,) N on the first one; J that they hold by pressure and by shear; and
+    """Load of the bonds of two blocks: force (3,) N on the first one; J that they hold by pressure and by shear; and
     where they were (n, 3) m in the undeformed shape, and how far crushed (n, 2) m, None where nothing crushes."""
 
     force: np.ndarray
@@ -126,7 +126,7 @@ def _hinges(model: Model, large: Large) -> np.ndarray:
 
 
 def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
-    """What the bonds `which` carry, by the key (R,) of their two blocks."""
+    """Load of the bonds `which`, by the key (R,) of their two blocks."""
     normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
     kn, ks = (
         np.array([getattr(joint, name) for joint in model.groups.properties])[model.group[which]]

@@ -28,7 +28,7 @@ LEAP = 1e-2
 
 
 class SmallDisplacement:
-    """What configuration.py asks, of small displacement."""
+    """Answers to configuration.py for small displacement."""
 
     any_size, leap, skin = False, LEAP, inf
 

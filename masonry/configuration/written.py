@@ -1,5 +1,5 @@
-"""What the steps, the guide and rows write in a model: the fields of these types, under the names that they have in the
-arrays of bodies, of motion and of bonds. All else stays as it was made."""
+"""Arrays that the steps, the guide and rows write in a model: the fields of these types, under the names that they have
+in the arrays of bodies, of motion and of bonds. All else stays as it was made."""
 
 from typing import Any, NamedTuple
 
@@ -91,7 +91,7 @@ def written_arrays(model: Model) -> Arrays:
 
 
 def written_in_large(model: Model, large: Large) -> Arrays:
-    """What large displacement writes besides."""
+    """Arrays that large displacement writes besides."""
     near = large.near
     arrays: dict[str, Any] = {"account": near.account, "area": model.contacts.area, "travel": near.motion.travel}
     arrays |= _fields("bonds", WrittenOfBonds, large.bonds) | _fields("search", WrittenOfSearch, near.search)

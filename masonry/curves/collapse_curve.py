@@ -143,7 +143,7 @@ def _draw_path(axes: Any, path: FactorLine, colour: str, led: bool, several: boo
 
 
 def _limit_fall(axes: Any, paths: list[FactorLine], led: bool) -> None:
-    """What was borne fills the picture; a fall goes out of it."""
+    """Limits of the axes: the part that was borne fills the picture; a fall goes out of it."""
     axes.margins(y=0.12)
     shown = np.concatenate([path.across if led else path.across[: path.rests] for path in paths])
     falls = not led and any(len(path.across) > path.rests for path in paths)

@@ -1,4 +1,4 @@
-"""What a curve is drawn against and which force it shows: as the scene says, else stress against the drive's way."""
+"""Abscissa and force of a curve: as the scene says, else stress against the displacement of the drive."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING

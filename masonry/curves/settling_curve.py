@@ -54,8 +54,8 @@ def settling_figure(result: "ResultData") -> Any:
 
 
 def across(result: "ResultData") -> tuple[Callable[[np.ndarray], np.ndarray], str]:
-    """What is drawn over what: from steps (n,) to values, and their label: the factor of a load that grows, or the tilt
-    of gravity where the scene asks; else the time from the first step in a run in real time, and the step in others."""
+    """Abscissa of a curve, from steps (n,) to values, and its label: the factor of a load that grows, or the tilt of
+    gravity where the scene asks; else the time from the first step in a run in real time, and the step in others."""
     rows, curve = result.history.rows, result.scene_table.get("curve", {})
     if FACTOR in rows:
         return lambda steps: np.interp(steps, rows["step"], rows[FACTOR]), "load factor [1]"

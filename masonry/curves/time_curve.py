@@ -58,7 +58,7 @@ def drawn_gauges(result: "ResultData") -> tuple[str, ...]:
 
 
 def time_lines(result: "ResultData") -> list[TimeLine]:
-    """What is drawn: gauges and bars that the scene's curve names, else all; the top of the specimen where no gauge
+    """Lines over time: gauges and bars that the scene's curve names, else all; the top of the specimen where no gauge
     is."""
     history, named = result.history, drawn_gauges(result)
     lines = [

@@ -49,7 +49,7 @@ def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
 
 @inlined
 def clip(u, v, label, height, count, wu, wv, window, name, snap):
-    """What of polygon 0 lies within a convex window (corners wu, wv, clockwise) with edges called name, name + 1, ...
+    """Part of polygon 0 within a convex window (corners wu, wv, clockwise) with edges called name, name + 1, ...
 
     Returns the row and the number of corners of what is left.
     """

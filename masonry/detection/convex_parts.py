@@ -122,7 +122,7 @@ def _best_plane(
 
 
 def _cut_face(face: np.ndarray, normal: np.ndarray, level: float, width: float) -> np.ndarray:
-    """What of a face lies below a plane; nothing where it lies in it."""
+    """Part of a face below a plane; empty where it lies in it."""
     height = face @ normal - level
     height[np.abs(height) <= width] = 0.0
     if not np.any(height < 0):
@@ -138,7 +138,7 @@ def _cut_face(face: np.ndarray, normal: np.ndarray, level: float, width: float) 
 
 
 def _half(cell: Convex, normal: np.ndarray, level: float, width: float) -> Convex | None:
-    """What of a convex cell lies below a plane; None where nothing does. New corners are shared by their faces."""
+    """Part of a convex cell below a plane; None where there is none. New corners are shared by their faces."""
     height = cell.corners @ normal - level
     height[np.abs(height) <= width] = 0.0
     if not np.any(height < 0):

@@ -92,8 +92,8 @@ def _one(u, v, name, row, begin, end, weight, place):
 
 @inner
 def region(eu, ev, row, count, cu, cv, k):
-    """What corner k of a patch stands for, counter-clockwise: corner, middle of the edge after it, centroid, middle
-    of the edge before it. It is convex, as patches are. They are rows of eu, ev."""
+    """Region that corner k of a patch stands for, counter-clockwise: corner, middle of the edge after it, centroid,
+    middle of the edge before it. It is convex, as patches are. They are rows of eu, ev."""
     after, before = (k + 1 if k + 1 < count else 0), (k - 1 if k > 0 else count - 1)
     ku, kv = eu[row, k], ev[row, k]
     au, av = 0.5 * (ku + eu[row, after]), 0.5 * (kv + ev[row, after])

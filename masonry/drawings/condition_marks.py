@@ -17,7 +17,7 @@ MOST_PARTS = 6
 
 @dataclass(frozen=True)
 class Mark:
-    """What is drawn for one support, drive or traction.
+    """Mark of one support, drive or traction.
 
     kind    "support", "drive", "traction"        words   a line for the list below the picture
     blocks  numbers of the blocks it acts on, rising; faces of them, or None

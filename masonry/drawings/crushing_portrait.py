@@ -1,4 +1,4 @@
-"""What a law does in compression, measured on one contact: a curve with a way back, areas, and the surface of yield."""
+"""Response of a law in compression, measured on one contact: curve with a way back, areas, and surface of yield."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -1,4 +1,4 @@
-"""What a law does, measured on one contact: curves with a way back and forth, and energies by integration."""
+"""Response of a law, measured on one contact: curves with a way back and forth, and energies by integration."""
 
 from dataclasses import dataclass
 from typing import Any

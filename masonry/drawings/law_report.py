@@ -30,7 +30,7 @@ AGREE = 0.01
 
 @dataclass(frozen=True, repr=False)
 class LawReport:
-    """What a law does: its name, a table in words, and its portrait, which has the curves and their areas."""
+    """Report on a law: its name, a table in words, and its portrait, which has the curves and their areas."""
 
     name: str
     table: list[tuple[str, list[str]]]
@@ -116,7 +116,7 @@ def _about(name: str, contact: Any, parameters: Any) -> list[tuple[str, list[str
 
 
 def _refuses(refuse: Any, above_0: list[str]) -> str:
-    """What a law refuses, in the words of its function; without one, what is out of range, as for every law."""
+    """Values that a law refuses, in the words of its function; without one, those out of range, as for every law."""
     if refuse is None:
         more = f", or not above 0: {', '.join(above_0)}" if above_0 else ""
         return f"only what is out of the range of its key (docs/scene.md){more}"
@@ -147,7 +147,7 @@ def _kind(table: Any, key: str) -> str:
 
 
 def _energies(contact: Any, measured: Any) -> list[tuple[str, list[str]]]:
-    """What was measured, against what is given."""
+    """Measured energies against the given ones."""
     from masonry.laws.building.factory import properties_of
 
     rows = []

@@ -17,7 +17,7 @@ from masonry.laws.state import TOUCHING, ContactHistory, JointProperties
 
 
 class Path(NamedTuple):
-    """What a contact did along N points, after each: all arrays are (N,), of the opening and the slip (m) it was given.
+    """State of a contact after each of N points: all arrays are (N,), of the opening and the slip (m) it was given.
 
     sigma, tau     Pa, tension positive, shear along the slip
     fracture, friction, stored   J/m2, spent so far in fracture of both modes and in friction; recoverable
@@ -76,7 +76,7 @@ def _of_numpy(fields: Any) -> Any:
 
 
 def initial_history(joint: JointProperties) -> ContactHistory:
-    """What a contact remembers at first; None where its options need nothing."""
+    """Initial history of a contact; None where its options need nothing."""
     limit = 0.0 if joint.tensile_strength is None else joint.tensile_strength / joint.normal_stiffness
     return _of_numpy(
         ContactHistory(

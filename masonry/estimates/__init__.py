@@ -1,1 +1,1 @@
-"""What contact points, sections and joints lack: numbers, which remarks set against their limits."""
+"""Estimates of the deficits of contact points, sections and joints: numbers, which remarks set against their limits."""

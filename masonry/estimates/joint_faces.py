@@ -1,4 +1,4 @@
-"""What each joint face carries, how it turns and what work it does, in a frame of a run: all faces at once."""
+"""Load, rotation and work of each joint face in a frame of a run: all faces at once."""
 
 from typing import Any, NamedTuple
 

@@ -1,4 +1,4 @@
-"""What a joint bears at the peak, by its own contact points and by many: bent, sheared and twisted.
+"""Load that a joint bears at the peak, by its own contact points and by many: bent, sheared and twisted.
 
 A joint moves in six ways. Its contact points have its area and its middle, so that all bear a normal force and a shear
 force in the middle alike. They differ in bending about two axes, under the normal force of the joint

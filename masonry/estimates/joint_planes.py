@@ -1,4 +1,4 @@
-"""What a joint bears in its plane, two shears and a twist about its normal: by its few contact points, and by many.
+"""Strength of a joint in its plane, two shears and a twist about its normal: by its few contact points, and by many.
 
 Points slide as those of a rigid plate do. Each has the stress of its law at its slip, along that slip. A shear force
 and a twist that grow together are borne up to a multiple, the largest of all sizes of the slide.

@@ -1,4 +1,4 @@
-"""What a joint bears when it bends, as a section: by its few contact points, and by a stress spread over its area.
+"""Strength of a joint in bending, as a section: by its few contact points, and by a stress spread over its area.
 
 A section stays plane: it opens by e = e0 + turn * place. Each of its fibres has the stress of the law's envelope at its
 opening, elastic where it closes. The section bears the largest moment of all turns at which its normal force balances.

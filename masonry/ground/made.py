@@ -28,7 +28,7 @@ END = 0.05
 
 @dataclass(frozen=True)
 class Recipe:
-    """What a record is made from; the seed apart.
+    """Parameters from which a record is made; the seed apart.
 
     spectrum   of which response spectrum, or of which power spectrum
     duration   s, of the whole record

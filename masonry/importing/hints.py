@@ -1,4 +1,4 @@
-"""What gets an import past gaps and overlaps that stopped it: each way is tried before it is named."""
+"""Ways of an import past gaps and overlaps that stopped it: each is tried before it is named."""
 
 import time
 from collections.abc import Callable, Sequence

@@ -1,4 +1,4 @@
-"""What a user says of a file to import, in words, as `ImportSettings`: for the command and for Python."""
+"""Words of a user about a file to import, as `ImportSettings`: for the command and for Python."""
 
 import math
 from collections.abc import Iterable, Mapping

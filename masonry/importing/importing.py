@@ -54,9 +54,9 @@ UPWARD = {"x": (1, 2, 0), "y": (2, 0, 1), "z": (0, 1, 2)}
 
 @dataclass(frozen=True)
 class ImportSettings:
-    """What the user says of a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all m),
-    groups, section (m2); the axis that points up; the widest hole of a surface that is closed (m); the widest gap over
-    which faces make a joint (m), and the angle (rad) within which they look at each other."""
+    """Settings of the user for a file: unit, tolerance of gaps, thickness of plane cells, chord height of facets (all
+    m), groups, section (m2); the axis that points up; the widest hole of a surface that is closed (m); the widest gap
+    over which faces make a joint (m), and the angle (rad) within which they look at each other."""
 
     unit: float | None = None
     tolerance: float = TOLERANCE
@@ -129,11 +129,11 @@ def _specimen(
 
 
 def _say_nothing(line: str) -> None:
-    """What is told to nobody."""
+    """Receiver of lines that tells nobody."""
 
 
 def _lone(blocks) -> list[str]:
-    """What a file of one solid cannot do."""
+    """Limits of a file of one solid, in a sentence."""
     if blocks.count > 1:
         return []
     return [
@@ -195,7 +195,7 @@ def joined_up(
 
 
 def _words_of_one_kind(source: Path, reader: tuple[str, str], wishes: ImportSettings) -> dict[str, Any]:
-    """What only readers of one kind of file understand. Raises SceneError where another kind is given it."""
+    """Words that only readers of one kind of file understand. Raises SceneError where another kind is given them."""
     words: dict[str, Any] = {}
     if wishes.facet is not None and reader[0] == "geometry.files.cad":
         words["facet"] = wishes.facet

@@ -1,4 +1,4 @@
-"""What a scene calls blocks of a file: sets by name, by group and by place; the section, and where it comes from."""
+"""Names of the blocks of a file in a scene: sets by name, by group and by place; the section, and its origin."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What `masonry import` found and did: data, rows of a table, and the scene that came of it."""
+"""Report of `masonry import` on what it found and did: data, rows of a table, and the scene that came of it."""
 
 import tomllib
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class ImportReport:
-    """What was imported: the specimen, its joints, what was mended, sentences of the reader, the files that were
+    """Result of an import: the specimen, its joints, what was mended, sentences of the reader, the files that were
     written, what the section is, name and text of the scene. It prints as `masonry import` does."""
 
     specimen: Specimen

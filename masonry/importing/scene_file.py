@@ -62,7 +62,7 @@ steps = 20000
 
 @dataclass(frozen=True)
 class Written:
-    """What a scene says of its making: names of the source and of the file of blocks, where the section is from, and
+    """Origin of a scene as it states it: names of the source and of the file of blocks, where the section is from, and
     whether the joints are dry and weight is the only load; the blocks as text, where no file has them."""
 
     source: str

@@ -42,7 +42,7 @@ class LinkedLibrary(JITCodeLibrary):
 
     @property
     def codegen(self) -> Any:
-        """What Numba tells where the function's environment lies: nowhere, as nothing was loaded."""
+        """Object that tells Numba where the function's environment lies: nowhere, as nothing was loaded."""
         return _NoEnvironment
 
 
@@ -54,7 +54,7 @@ class PackedModule:
         self.bitcode = bitcode
 
     def clone(self) -> binding.ModuleRef:
-        """What Numba links, and so destroys."""
+        """Module that Numba links, and so destroys."""
         return binding.parse_bitcode(self.bitcode)
 
 

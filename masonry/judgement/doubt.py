@@ -1,4 +1,4 @@
-"""What may speak against the numbers of a run: a doubt, and the criterion by which it is raised."""
+"""Doubts about the numbers of a run: a doubt, and the criterion by which it is raised."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,7 @@ VERDICTS = (SOUND, WITH_CARE, STOPPED)
 
 
 class Doubt(NamedTuple):
-    """What speaks against the numbers of a run, as `summary.json` has it.
+    """Doubt about the numbers of a run, as `summary.json` has it.
 
     name      of the criterion
     value     what was measured; None where the doubt is no matter of a number

@@ -60,7 +60,7 @@ class Evidence:
 
     @property
     def branch(self) -> Table:
-        """What became of the gauge that was to be controlled behind the collapse; empty without a collapse."""
+        """Outcome of the gauge that was to be controlled behind the collapse; empty without a collapse."""
         return Evidence(self.table("collapse_load")).table("branch") if self.falls else {}
 
 

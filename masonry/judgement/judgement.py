@@ -10,7 +10,7 @@ from masonry.judgement.evidence import Evidence
 
 
 class Judgement(NamedTuple):
-    """What is to be thought of a run.
+    """Assessment of a run.
 
     verdict       "sound", "with care" (there are doubts), or "stopped" (the run ended before its end)
     doubts        that it ended early first, then those without numbers, then by how far the value is beyond its limit

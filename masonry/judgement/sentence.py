@@ -24,7 +24,7 @@ def trust(summary: Mapping[str, Any]) -> str:
 
 
 def advice(summary: Mapping[str, Any]) -> list[str]:
-    """What to do about all doubts, the largest first, each once."""
+    """Advice on all doubts, the largest first, each once."""
     return list(dict.fromkeys(doubt.advice for doubt in judgement_of(summary).doubts if doubt.advice))
 
 
@@ -52,7 +52,7 @@ def moved_before(evidence: Evidence) -> str:
 
 
 def note(summary: Mapping[str, Any]) -> str:
-    """What is said of cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
+    """Remark on cracks that left the symmetry of the specimen: no doubt of this run, but of one that is alike.
 
     Nothing where a factor was asked for, not what is dissipated.
     """

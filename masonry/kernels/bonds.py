@@ -21,7 +21,7 @@ from masonry.simd import numbers, pack, plus, put_row, take_row
 
 
 class Bonds(NamedTuple):
-    """What C bonds need besides the arrays of contacts, which hold displacements and forces in the frame of side a.
+    """Data of C bonds besides the arrays of contacts, which hold displacements and forces in the frame of side a.
 
     frames  (B, 3, 3) rotation of each block; of one that deforms, that of its polar decomposition
     alive   (C,) whether the bond holds; the law of one that does not sees no more motion, and books nothing more

@@ -33,7 +33,7 @@ class QuietRows(NamedTuple):
 
 
 def remembering(quiet: Sequence[QuietRows | None], bodies: Sequence[Any]) -> list[Call]:
-    """What a step begins with."""
+    """Calls of quiet boundaries at the start of a step."""
     return [
         _remember.of(rows.row, rows.before, body.v)
         for rows, body in zip(quiet, bodies, strict=True)
@@ -42,7 +42,7 @@ def remembering(quiet: Sequence[QuietRows | None], bodies: Sequence[Any]) -> lis
 
 
 def absorbing(quiet: Sequence[QuietRows | None], bodies: Sequence[Any], dt: float) -> list[Call]:
-    """What a step ends with."""
+    """Calls of quiet boundaries at the end of a step."""
     return [
         _absorb.of(*rows, body.v, body.work, dt) for rows, body in zip(quiet, bodies, strict=True) if rows is not None
     ]

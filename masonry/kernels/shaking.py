@@ -16,7 +16,7 @@ ROOM = 512
 
 
 class MovedSupports(NamedTuple):
-    """What moves with the ground.
+    """Supports that move with the ground.
 
     dofs      by kind of bodies, (K, 3) row and number of each dof and the column of its velocity; None without
     velocity  (ROOM, C) m/s of each component, before the first step of a chunk and after each

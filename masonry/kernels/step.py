@@ -72,7 +72,7 @@ def kicking(
 
 
 def driving(bodies: Sequence[Any], drives: Sequence[Any], shared: np.ndarray) -> list[Call]:
-    """What the drive does to the bodies that it moves."""
+    """Calls by which the drive moves bodies."""
     pairs = [(body, dofs) for body, dofs in zip(bodies, drives, strict=True) if body is not None and dofs is not None]
     return [_drive.of(body.hold, body.v, dofs, shared) for body, dofs in pairs]
 

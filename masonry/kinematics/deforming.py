@@ -145,7 +145,7 @@ def _times_axes(h, axes, b):
 
 @register_jitable
 def _edges(h, axes, b):
-    """What the block's axes have become, in columns: F times the axes."""
+    """Present axes of a block, in columns: F times the axes."""
     if axes is None:
         return _plus_one(h)
     return _sum(matrix_at(axes, b), h)

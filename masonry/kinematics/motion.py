@@ -26,7 +26,7 @@ class Dragged(NamedTuple):
 
 
 def resist(damping, dt_over_mass, force, velocity, now, before):
-    """What damping adds to the force on a dof that is expected to move at `before`, and at `now` after the step.
+    """Contribution of damping to the force on a dof expected to move at `before`, and at `now` after the step.
 
     None: nothing. A number: local damping -xi |F| sign(v), eq. (3). Dragged: all of the velocity decays by
     (1 - h) / (1 + h) a step. Guided: so does the rest of the velocity, v - expected, and the expected part follows the

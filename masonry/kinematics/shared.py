@@ -1,4 +1,4 @@
-"""What the parts of a step share: one array, in which they find the loads of now, and leave what others ask for."""
+"""Data shared by the parts of a step: one array, in which they find the loads of now, and leave what others ask for."""
 
 FACTOR, FACTOR_BEFORE, SPEED, SPEED_BEFORE, DRIVE_FORCE, TRAVEL, SPARE = range(7)
 """Factor of the dead load that acts now and one step before; speed (m/s) of the drive after the step and before; force

@@ -1,4 +1,4 @@
-"""What `masonry check` says of bars and slabs: a line for each table of them."""
+"""Lines of `masonry check` on bars and slabs: one for each table of them."""
 
 from math import dist
 

@@ -1,4 +1,4 @@
-"""What a Python user hands to the functions of masonry, looked at first: one SceneError, as on the command line."""
+"""Arguments of a Python user to the functions of masonry, checked first: one SceneError, as on the command line."""
 
 import os
 from collections.abc import Sequence
@@ -10,7 +10,7 @@ from masonry.errors import SceneError, visible
 
 
 def refuse(name: str, value: Any, allowed: str) -> SceneError:
-    """What is wrong with an argument, and what is allowed."""
+    """Error in an argument, with the values allowed."""
     return SceneError(f"{name} = {visible(f'{value!r:.60}')}: give {allowed}")
 
 

@@ -1,4 +1,4 @@
-"""What a run will take, before it is made: about how many steps, rows of its curve, and seconds of processor."""
+"""Expected size of a run, before it is made: about how many steps, rows of its curve, and seconds of processor."""
 
 from dataclasses import dataclass
 
@@ -44,7 +44,7 @@ def expected(assembly: Assembly) -> Expected:
 
 
 def forecast(assembly: Assembly) -> Forecast:
-    """What a run takes on this machine."""
+    """Expected steps and seconds of a run on this machine."""
     run, seconds = expected(assembly), machine_speed.ratio() * _usual_seconds(assembly)
     of_step = seconds / max(run.steps, 1)
     tried = latest = 0

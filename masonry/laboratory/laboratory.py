@@ -84,7 +84,7 @@ def run(
 
 
 def result_of(assembly: Assembly, outcome: Outcome) -> Result:
-    """What is kept of a run."""
+    """Result that is kept of a run."""
     add_tilt(assembly, outcome)
     doubts = doubts_of_run(Inspection(assembly, outcome))
     summary = summarise(assembly, outcome) | {"warnings": [doubt.line for doubt in doubts]}
@@ -111,7 +111,7 @@ def result_of(assembly: Assembly, outcome: Outcome) -> Result:
 
 
 def check(scene: Scene) -> "Report":
-    """What a scene would run: sizes, time step and what limits it, expected steps and time, what it leaves out."""
+    """Report on a scene before a run: sizes, time step and its limits, expected steps and time, parts left out."""
     assembly = assemble(scene)
     model = assembly.model
     counts, run = np.bincount(model.group, minlength=len(model.group_names)), forecast(assembly)
@@ -199,7 +199,7 @@ def ratio_lines(scene: Scene) -> list[str]:
 
 
 def meeting_text(assembly: Assembly) -> str:
-    """What may meet as blocks move, in large displacement; nothing without it."""
+    """Remark on pieces that may meet as blocks move, in large displacement; empty without it."""
     large = assembly.model.large
     if large is None:
         return ""
@@ -217,12 +217,12 @@ def _are(count: int) -> str:
 
 
 def scatter_lines(assembly: Assembly) -> list[str]:
-    """What was drawn, a line for each property that scatters."""
+    """Values that were drawn, a line for each property that scatters."""
     return [line for drawn in assembly.drawn for line in drawn.lines()]
 
 
 def left_out(assembly: Assembly) -> list[str]:
-    """What this scene does not use, and the step compiled for it therefore does not contain."""
+    """Features that this scene does not use, and the step compiled for it therefore does not contain."""
     m, bodies = assembly.model, [body for body in assembly.model.bodies if body is not None]
     loaded = any(body.load is not None for body in bodies)
     kinds = zip(("rigid blocks", "affine blocks", "tets"), m.bodies, strict=True)
@@ -258,7 +258,7 @@ def _left_out_of_contacts(assembly: Assembly) -> list[str]:
 
 
 def compiled(assembly: Assembly) -> list[str]:
-    """What the step does contain."""
+    """Features that the step does contain."""
     m = assembly.model
     names = [f"{len(v)} {k} blocks" for k, v in m.layout.members.items() if len(v)]
     laws = []

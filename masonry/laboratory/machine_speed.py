@@ -27,7 +27,7 @@ def ratio() -> float:
 
 
 def keep(nanoseconds: float) -> None:
-    """What a step of the doctor's wall takes per contact point, for `ratio`."""
+    """Record of the time of a step of the doctor's wall per contact point, for `ratio`."""
     write_record(RECORD, {RATIO: nanoseconds / MACHINE["point"]})
 
 

@@ -1,4 +1,4 @@
-"""What is moved in real time, in a line each: how fast at most, and how hard it accelerates."""
+"""Motions imposed in real time, in a line each: the largest speed and the largest acceleration."""
 
 from masonry.assembly.assemble import Assembly
 from masonry.ground.ground_motion import Motion

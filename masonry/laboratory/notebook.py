@@ -1,4 +1,4 @@
-"""What notebooks want: figures that show themselves, tables of words, and one line that says how far a run is."""
+"""Services for notebooks: figures that show themselves, tables of words, and one line on how far a run is."""
 
 import contextlib
 import io
@@ -19,7 +19,7 @@ def in_notebook() -> bool:
 
 @contextlib.contextmanager
 def telling(progress: Tell | bool | None, label: str) -> Iterator[Tell | None]:
-    """What to call between the chunks of a run.
+    """Function to call between the chunks of a run.
 
     progress  a function of the user's own; True: say it, False: do not; None: say it in a notebook only
     """
@@ -35,7 +35,7 @@ def telling(progress: Tell | bool | None, label: str) -> Iterator[Tell | None]:
 
 @contextlib.contextmanager
 def telling_lines(progress: Callable[[str], None] | bool | None) -> Iterator[Callable[[str], None] | None]:
-    """What to call with a line for each of many runs that ends; `progress` as in `telling`."""
+    """Function to call with a line for each of many runs that ends; `progress` as in `telling`."""
     if callable(progress):
         yield progress
     elif progress is False or (progress is None and not in_notebook()):

@@ -1,4 +1,4 @@
-"""What `masonry check` says of the quality of a specimen: worst values, and the block to blame for each."""
+"""Lines of `masonry check` on the quality of a specimen: worst values, and the block to blame for each."""
 
 from geometry.blocks import CellReport
 from geometry.joints.quality import Worst, quality
@@ -60,7 +60,7 @@ def _longer(ratio: float) -> str:
 
 
 def cells_text(report: CellReport) -> str:
-    """What a division into cells came to, in one line; h is the mean size of a cell."""
+    """Result of a division into cells, in one line; h is the mean size of a cell."""
     joint = "" if report.shortest_joint is None else f", shortest joint piece {report.shortest_joint:.2g} h"
     return (
         f"{report.count} of h = {report.h * 1e3:.3g} mm: shortest edge {report.shortest_over_mean:.2g} of the mean, "

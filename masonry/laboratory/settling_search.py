@@ -73,7 +73,7 @@ class Left(NamedTuple):
 
     @property
     def text(self) -> str:
-        """What is left, and how much may be."""
+        """Unbalance and motion that are left, and how much may be."""
         if self.sum_rests:
             block = SETTLED.of_block
             return (

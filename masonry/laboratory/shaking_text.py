@@ -1,4 +1,4 @@
-"""What the command line says of a run whose ground shakes."""
+"""Rows of the command line on a run whose ground shakes."""
 
 from masonry.results.summary import GaugeSwing, GroundComponent, Shaking
 from masonry.rows.columns import GRAVITY

@@ -1,4 +1,4 @@
-"""What the command line says about a scene and about a result, aligned for a person."""
+"""Text of the command line about a scene and about a result, aligned for a person."""
 
 from dataclasses import dataclass
 from math import atan, degrees, tan
@@ -29,7 +29,7 @@ TOLD = 0.1
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Report(Record):
-    """What `masonry.check` says of a scene; it prints as `masonry check` does.
+    """Report of `masonry.check` on a scene; it prints as `masonry check` does.
 
     contacts     number of joints by contact group
     limited_by   what bounds the time step, in words, as all that follows but for steps, seconds and warnings
@@ -159,7 +159,7 @@ def summary_rows(summary: Summary) -> Rows:
 
 
 def _gauge_rows(summary: Summary, driven: bool) -> Rows:
-    """What gauges showed; of a run whose ground shakes what else it did."""
+    """Readings of the gauges; of a run whose ground shakes, its other results as well."""
     if summary.shaking is not None:
         return shaking_rows(summary.shaking, summary.collapse is not None)
     return [(name, [gauge_text(readings, driven)]) for name, readings in (summary.gauges or {}).items()]
@@ -321,7 +321,7 @@ def branch_text(led: CollapseBranch) -> str:
 
 
 def gauge_text(readings: Readings, driven: bool = True) -> str:
-    """What a gauge showed; without a drive there is no peak."""
+    """Readings of a gauge; without a drive there is no peak."""
     if readings.unit is not None:
         return f"{number_text(readings.final, 1.0, readings.unit)} at the end"
     at_peak, final = number_text(readings.at_peak_m, 1e3, "mm"), number_text(readings.final_m, 1e3, "mm")
@@ -337,14 +337,14 @@ def pressed_text(summary: Summary) -> str:
 
 
 def loads_text(summary: Summary) -> str:
-    """What dead loads did after settling, where that is not little beside the work of the drive; else nothing."""
+    """Work of the dead loads after settling, where that is not little beside the work of the drive; else nothing."""
     drive, loads = summary.work_of_drive_j or 0.0, summary.work_of_loads_after_settling_j or {}
     much = [f"{name} {work:.3g} J" for name, work in loads.items() if work and abs(work) > TOLD * abs(drive)]
     return f"{', '.join(much)} (the drive {drive:.3g} J); a load that is lifted does negative work" if much else ""
 
 
 def accuracy_text(summary: Summary) -> str:
-    """What a drive to an accuracy was asked for, and by what it can be seen how far it came."""
+    """Accuracy that was asked of a drive, and the numbers that show how far it was reached."""
     control = summary.control or {}
     wanted = f"{_share(control.get('accuracy'), 6)} asked for"
     damping = damping_words(summary.damping_over_external)
@@ -362,7 +362,7 @@ def accuracy_text(summary: Summary) -> str:
 
 
 def damping_words(fraction: float | None) -> str:
-    """What damping took of the work of the drive; or gave, where it pulls along what lags behind."""
+    """Share of the work of the drive that damping took; or gave, where it pulls along what lags behind."""
     if fraction is None:
         return "the drive did no work"
     if fraction >= -BELOW_0:

@@ -24,7 +24,7 @@ def law_names() -> tuple[str, ...]:
 
 
 def __getattr__(name: str) -> Any:
-    """What authors of laws import, loaded when it is asked for: the names of laws must not load the compiler."""
+    """Names that authors of laws import, loaded on demand: the names of laws must not load the compiler."""
     if name not in __all__:
         raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
     return getattr(import_module("masonry.laws.snap_back" if name == "Refusal" else "masonry.simd"), name)

@@ -32,7 +32,7 @@ strength by which a cap has risen where its slope is no longer taken as infinite
 
 
 class Crush(NamedTuple):
-    """What crushing makes of a step.
+    """Result of crushing in a step.
 
     opening, tau        m, Pa: what the law sees, the plastic closing included; elastic shear stress that is left
     closing, hardening  m, so far
@@ -147,7 +147,7 @@ def outside(cap_shear_factor, pressed, tau_squared, bears):
 
 @register_jitable
 def nearness(cap_shear_factor, joint, bears):
-    """What counts as on the surface, Pa2 or Pa as `outside`: a share of what a cap bears or a cut-off bore."""
+    """Tolerance of the surface, Pa2 or Pa as `outside`: a share of what a cap bears or a cut-off bore."""
     if cap_shear_factor is None:
         return filled(NEAR * joint.compressive_strength, bears)
     return 2.0 * NEAR * bears * bears
@@ -155,8 +155,8 @@ def nearness(cap_shear_factor, joint, bears):
 
 @register_jitable
 def crushed_to(joint, history, e, trial, tau, z):
-    """What a share z of the elastic normal stress `trial` (Pa) leaves: shear stress (Pa), and plastic closing and slip
-    of the cap (m) in this step."""
+    """State at a share z of the elastic normal stress `trial` (Pa): shear stress (Pa), and plastic closing and slip of
+    the cap (m) in this step."""
     flexibility, rest = 1.0 / joint.normal_stiffness, 1.0 - z
     left, slid = flow(joint.cap_shear_factor, joint, flexibility, strength(joint, history, e, z * trial), tau, z, rest)
     return left, -rest * trial * flexibility, slid

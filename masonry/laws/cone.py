@@ -1,4 +1,4 @@
-"""What a contact bears by its history, eq. (8), and how faces that slide rise, eqs (9) and (10), pressed or open.
+"""Strength of a contact by its history, eq. (8), and rise of faces that slide, eqs (9) and (10), pressed or open.
 
 A face is rough: it stands on slopes of tan(psi), so whatever slides rises, and what slid while it stood open is met
 that much earlier on its way back. With tan(psi) = tan(phi) the flow is associated, and a surface without friction on

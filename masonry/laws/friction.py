@@ -62,6 +62,6 @@ def return_mapping(parameters, joint, history, opening, total, tau):
 
 
 def stored_energy(parameters, joint, history, opening, tau_squared):
-    """What the springs hold."""
+    """Energy stored in the springs."""
     normal = joint.normal_stiffness * minimum(opening, 0.0)
     return 0.5 * (normal * opening + tau_squared / joint.shear_stiffness)

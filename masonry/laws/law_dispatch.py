@@ -31,7 +31,7 @@ def beside(parameters_class: type, name: str, default=None):
 
 
 def word_of(parameters) -> str:
-    """What a law is called in a message; a law of another package has a hash behind the name of its class."""
+    """Name of a law in a message; a law of another package has a hash behind the name of its class."""
     return type(parameters).__name__.partition("_")[0].lower()
 
 
@@ -66,7 +66,7 @@ def by_total_slip(parameters_class: type) -> bool:
 
 @register_jitable
 def after(parameters, joint, intact, slip, peak, residual, compression):
-    """What `shear_intact` answers, by the curve alone: look for the last slip that leaves `intact`, and go on from it.
+    """Value of `shear_intact`, by the curve alone: search for the last slip that leaves `intact`, and on from there.
 
     By halves, from a micrometre on: as near as numbers come, but with some eighty looks at the curve.
     """
@@ -84,7 +84,7 @@ def after(parameters, joint, intact, slip, peak, residual, compression):
 
 
 def contacts_at_once(parameters):
-    """What tells a kernel by its type how many contacts of a law to compute at once: `eight()`, or a single number."""
+    """Value whose type tells a kernel how many contacts of a law to compute at once: `eight()`, or a single number."""
     return 0.0
 
 

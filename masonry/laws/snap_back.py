@@ -10,7 +10,7 @@ from masonry.laws.law_dispatch import beside
 
 
 class Refusal(NamedTuple):
-    """What does not work with a law: the scene's key, the value (SI) that it must be above, its unit, and why."""
+    """Value that a law refuses: the scene's key, the value (SI) that it must be above, its unit, and why."""
 
     key: str
     least: float

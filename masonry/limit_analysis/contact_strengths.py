@@ -38,7 +38,7 @@ def touching(scene: Scene, points: str = "corners") -> tuple[Specimen, Joints]:
 def contacts_of(
     scene: Scene, specimen: Specimen, joints: Joints, strength: bool = True, crushing: float | None = None
 ) -> RigidContacts:
-    """What each contact point bears: Coulomb friction; cohesion and tension on its area, as plastic strengths.
+    """Strength of each contact point: Coulomb friction; cohesion and tension on its area, as plastic strengths.
 
     strength  False leaves out cohesion and tension, and takes the friction that is left once they are gone
     crushing  Pa, compressive strength of all joints that are not elastic; needs points at the corners, no tension

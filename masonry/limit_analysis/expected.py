@@ -1,4 +1,4 @@
-"""What a limit analysis will take, from its size, and a progress that is silent where it takes little."""
+"""Expected duration of a limit analysis, from its size, and a progress that is silent where it takes little."""
 
 import time
 

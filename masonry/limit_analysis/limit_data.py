@@ -1,4 +1,4 @@
-"""What a limit analysis finds, as data: the factor, the mechanism, the thrust in each joint."""
+"""Result of a limit analysis as data: the factor, the mechanism, the thrust in each joint."""
 
 from dataclasses import dataclass, field
 from types import SimpleNamespace
@@ -65,7 +65,7 @@ class LimitData:
     elements: list[LimitElement] = field(default_factory=list)
 
     def take(self, solution: Solution) -> None:
-        """What an optimisation found."""
+        """Transfer of the solution of an optimisation into this result."""
         self.factor, self.gap, self.unbalance = solution.factor, solution.gap, solution.unbalance
         self.worst = solution.worst
         count = len(self.joints.area)

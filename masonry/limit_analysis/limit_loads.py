@@ -112,7 +112,7 @@ def _growing(scene: Scene, varying: list[str]) -> LimitLoad | None:
 
 
 def _varied(scene: Scene, varying: list[str]) -> LimitLoad | None:
-    """What the scene itself varies: None for loads with a history. Raises SceneError for nothing, and for several."""
+    """Load that the scene itself varies: None for loads with a history. Raises SceneError for none, and for several."""
     tilt = scene.gravity.tilt if scene.gravity is not None else None
     sources = [*(["gravity.tilt"] if tilt else []), *(["drive"] if scene.drive else []), *varying[:1]]
     if len(sources) != 1:

@@ -1,4 +1,4 @@
-"""What a limit analysis hands back to a user: printed, drawn, saved."""
+"""Result of a limit analysis for the user: printed, drawn, saved."""
 
 import json
 from pathlib import Path

@@ -59,7 +59,7 @@ def result_text(result: LimitData) -> str:
 
 
 def head_of(result: LimitData) -> str:
-    """What the factor is; of a force of the drive, the peak that a run finds."""
+    """Name of the factor; for a force of the drive, that of the peak that a run finds."""
     if result.is_safety:
         return "factor of safety"
     return "peak stress" if result.unit == "N" else "load factor"

@@ -1,4 +1,4 @@
-"""What is said beside the numbers of a limit analysis: what is assumed, what kind of number it is, what to mind."""
+"""Remarks beside the numbers of a limit analysis: assumptions, kind of the number, points to mind."""
 
 import numpy as np
 
@@ -38,7 +38,7 @@ def scene_remarks(
     scene: Scene, specimen: Specimen, joints: Joints, contacts: RigidContacts, strength: bool, crushes: bool,
     other: str = "",
 ) -> list[str]:  # fmt: skip
-    """What a limit analysis takes otherwise than the scene has it.
+    """Differences between the assumptions of a limit analysis and the scene.
 
     other: words of the command that --crushing does not go with
     """

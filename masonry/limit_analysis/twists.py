@@ -67,7 +67,7 @@ def _times(
     middle: np.ndarray,
     twist: float,
 ) -> float:
-    """What a joint carries in its plane, over what it bears there by stresses that are spread over it."""
+    """Ratio of the load of a joint in its plane to the load borne there by stresses that are spread over it."""
     joints, normal = result.joints, result.joints.normal[own[0]]
     axes = axes_across(normal)
     point, area = by_many(polygons)

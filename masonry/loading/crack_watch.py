@@ -84,7 +84,7 @@ class CrackWatch:
         self.model.damping = min(self.damping, LITTLE) if steps else self.damping
 
     def state(self) -> State:
-        """What the next look depends on."""
+        """State on which the next look depends."""
         return {**attributes(self, REMEMBERED), "cracks": self.cracks.state()}
 
     def restore(self, state: State) -> None:

@@ -28,7 +28,7 @@ class Expected(NamedTuple):
 
 
 class LoadingOutcome:
-    """What came of a loading. One of a program has nothing to say.
+    """Outcome of a loading. That of a program is empty.
 
     borne, falls  of a load that grew: the factor that was borne last, and the least that was not; None without them
     """
@@ -82,7 +82,7 @@ class Loading(Remembering, ABC):
         return None
 
     def columns(self) -> dict[str, float]:
-        """What a row says besides, by the name of its column."""
+        """Additional values of a row, by the names of their columns."""
         return {}
 
     def turned_too_far(self) -> bool:
@@ -100,5 +100,5 @@ class Loading(Remembering, ABC):
         return []
 
     def outcome(self, peak: float) -> LoadingOutcome:
-        """What has come of it; peak: N, the largest force of the drive at any step, signed as `look` is shown it."""
+        """Outcome so far; peak: N, the largest force of the drive at any step, signed as `look` is shown it."""
         return LoadingOutcome()

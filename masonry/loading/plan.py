@@ -13,7 +13,7 @@ from masonry.model.model import Model
 
 
 class Plan(Protocol):
-    """What a scene asks of its load, and how a run makes it: what others ask of a plan, whatever its kind."""
+    """Loading that a scene asks for, and how a run makes it: what others ask of a plan, whatever its kind."""
 
     @property
     def dead_load(self) -> np.ndarray:
@@ -62,7 +62,7 @@ class Plan(Protocol):
         ...
 
     def expected(self, model: Model, rows: int, axis: int | None) -> Expected:
-        """What a run takes, with so many rows where rows are regular; axis (0, 1, 2) of the drive, None without one."""
+        """Size of a run, with so many rows where rows are regular; axis (0, 1, 2) of the drive, None without one."""
         ...
 
     def loading(self, model: Model, rows: int, gauges: tuple[Gauge, ...] = ()) -> Loading:

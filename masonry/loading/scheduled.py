@@ -29,7 +29,7 @@ nothing else says so. Walls that fall and rubble that is heaped up took 0.3 to 0
 
 @dataclass(frozen=True)
 class Program:
-    """What happens at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
+    """Loading at each step 0..n: share of the dead load, velocity of the drive (m/s) after the step.
 
     settle  steps before the drive starts     ramp  steps over which the drive's velocity rises
     varying (H, n + 1) share of each load that varies, at each step; None without any
@@ -211,5 +211,5 @@ class ScheduledLoading(Loading):
         return [] if self.watch is None else self.watch.cracks.events
 
     def parts(self) -> dict[str, CrackWatch]:
-        """What waits for sudden cracks, where anything does."""
+        """Watch for sudden cracks, where there is one."""
         return {} if self.watch is None else {"watch": self.watch}

@@ -1,4 +1,4 @@
-"""What is known of units, mortar and masonry: each key with its kind and its usual range, read from texts to SI."""
+"""Known data of units, mortar and masonry: each key with its kind and its usual range, read from texts to SI."""
 
 import math
 import re
@@ -115,7 +115,7 @@ class MortarData(NamedTuple):
 
 
 class ContactData:
-    """What is known, in SI: the keys of KEYS as attributes, None where nothing was said."""
+    """Known data, in SI: the keys of KEYS as attributes, None where nothing was given."""
 
     def __init__(self, known: Mapping[str, Any], dashes: bool = False) -> None:
         """Read texts such as "16.7 GPa"; `dashes` names keys as the options of a command. Raises SceneError."""

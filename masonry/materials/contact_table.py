@@ -36,7 +36,7 @@ class ContactTable(Mapping[str, Any]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What to mind, a sentence each."""
+        """Points to mind, a sentence each."""
         return self.numbers.notes
 
     @property
@@ -46,7 +46,7 @@ class ContactTable(Mapping[str, Any]):
         return {f"contact.{self.group}.{one.key}": (one.low, one.high) for one in values if one.high > one.low}
 
     def hypercube(self, samples: int = 10, seed: int = 1) -> dict[str, Any]:
-        """What `masonry.sweep` varies of a scene with this table: a Latin hypercube over its ranges.
+        """Variation of a scene with this table for `masonry.sweep`: a Latin hypercube over its ranges.
 
         The shear stiffness goes with the normal one, and the residual friction with that of the intact joint, which it
         may not exceed.
@@ -106,7 +106,7 @@ class ContactTable(Mapping[str, Any]):
 
     @property
     def _material(self) -> dict[str, Any]:
-        """What units that deform need."""
+        """Material keys of units that deform."""
         if not self.numbers.course.deforms:
             return {}
         nu = 0.25 if self.data.poisson is None else self.data.poisson

@@ -115,7 +115,7 @@ def _modulus(data: ContactData, height: float, joint: float) -> ModulusSource:
 
 
 def _no_modulus(data: ContactData) -> str:
-    """What is missing for a modulus, in a sentence."""
+    """Data missing for a modulus, in a sentence."""
     there = [key for key in ("unit_modulus", "mortar_modulus") if getattr(data, key) is not None]
     lacks = [key for key in ("unit_modulus", "mortar_modulus") if key not in there]
     first = f"{data.name(lacks[0])}: missing beside {data.name(there[0])}" if there else "no modulus is known"

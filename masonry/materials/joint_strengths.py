@@ -56,7 +56,7 @@ def of_code(strength: CodeStrength, share: CharacteristicShare, high: float = CO
 
 
 class JointStrengths(NamedTuple):
-    """What a joint bears; None where nothing says it. `friction` is a tangent; `notes` say what to mind."""
+    """Strengths of a joint; None where nothing gives one. `friction` is a tangent; `notes` say what to mind."""
 
     cohesion: JointStrength | None
     friction: JointStrength | None

@@ -160,7 +160,7 @@ def _strengths(data: ContactData, strengths: JointStrengths, notes: list[str]) -
 
 
 def _no_cohesion(data: ContactData) -> str:
-    """What is missing for a cohesion, in a sentence."""
+    """Data missing for a cohesion, in a sentence."""
     if data.is_dry:
         return (
             f"{data.name('law')} {data.joint_law}: a dry joint has friction alone; leave the law out, or name friction"

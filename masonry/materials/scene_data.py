@@ -1,4 +1,4 @@
-"""What a scene says of its units: kinematics, divisions, heights, so that a contact table fits it."""
+"""Units of a scene: kinematics, divisions, heights, so that a contact table fits it."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -1,4 +1,4 @@
-"""What an analysis of modes finds, as data: frequencies, shapes, effective masses, and what damping they ask for."""
+"""Result of a modal analysis as data: frequencies, shapes, effective masses, and the damping that they require."""
 
 from dataclasses import dataclass, field
 from typing import Any

@@ -1,4 +1,4 @@
-"""What an analysis of modes hands back to a user: printed, drawn, saved."""
+"""Result of a modal analysis for the user: printed, drawn, saved."""
 
 import json
 from pathlib import Path

@@ -7,7 +7,7 @@ HEADS = ("mode", "frequency", "period", "mass along x", "along y", "along z")
 
 
 def result_text(result: ModesData) -> str:
-    """What `masonry modes` prints."""
+    """Text that `masonry modes` prints."""
     closed = int(result.closed.sum())
     some = f"{closed} of {len(result.closed)}" if closed < len(result.closed) else f"all {closed}"
     rows: Rows = [

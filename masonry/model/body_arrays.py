@@ -20,7 +20,7 @@ from masonry.simd.rows import BEHIND, aligned
 
 
 class Groups(NamedTuple):
-    """What belongs to each contact group, and bounds (G + 1,): which contacts are its."""
+    """Data of each contact group, and bounds (G + 1,): the range of its contacts."""
 
     parameters: tuple
     properties: tuple

@@ -24,14 +24,14 @@ Damping = float | Guided | Dragged | None
 
 
 class DampingKeys(Protocol):
-    """What the table [solver] of a scene says of damping."""
+    """Damping keys of the table [solver] of a scene."""
 
     @property
     def damping(self) -> float: ...
 
 
 class SwingKeys(Protocol):
-    """What the table [damping] says."""
+    """Keys of the table [damping]."""
 
     @property
     def mass_rate(self) -> float: ...
@@ -47,8 +47,8 @@ class SwingKeys(Protocol):
 
 
 class Swing(NamedTuple):
-    """What damps once the dead loads have settled: a0 (1/s) of the mass, or xi of local damping; a1 (s) of the
-    stiffness of contacts; Maxwell's branches beside them: stiffnesses (J,) over theirs, relaxation times (J,) s."""
+    """Damping once the dead loads have settled: a0 (1/s) of the mass, or xi of local damping; a1 (s) of the stiffness
+    of contacts; Maxwell's branches beside them: stiffnesses (J,) over theirs, relaxation times (J,) s."""
 
     mass_rate: float = 0.0
     local: float = 0.0
@@ -98,7 +98,7 @@ class Swing(NamedTuple):
 
     @property
     def words(self) -> str:
-        """What `masonry check` says of it."""
+        """Description of the damping, as in `masonry check`."""
         words = [f"damping of the mass, {self.mass_rate:.4g} 1/s"] if self.mass_rate else []
         words += [damping_words(self.local)] if self.local else []
         words += [f"of the stiffness of closed contacts, {self.stiffness_time:.4g} s"] if self.stiffness_time else []
@@ -114,12 +114,12 @@ class Phases(NamedTuple):
 
 
 def damping_of(keys: DampingKeys, drive_expects: bool) -> Damping:
-    """What acts in a run; where a drive (to an accuracy) expects what moves next, viscosity damps the rest."""
+    """Damping of a run; where a drive (to an accuracy) expects the next motion, viscosity damps the rest."""
     return Guided(0.0, LITTLE) if drive_expects else keys.damping
 
 
 def swing_of(keys: SwingKeys | None) -> Swing:
-    """What acts once the dead loads have settled; without a table nothing does."""
+    """Damping once the dead loads have settled; none without a table."""
     if keys is None:
         return Swing()
     stiffer, relaxation = ((), ()) if keys.flat is None else flat_branches(*keys.flat)
@@ -175,14 +175,14 @@ def expects_motion(damping: Damping) -> bool:
 
 
 def damping_words(damping: Damping) -> str:
-    """What `masonry check` says of it."""
+    """Description of the damping, as in `masonry check`."""
     if isinstance(damping, Guided):
         return f"viscous damping of the unexpected motion, local damping {damping.xi:g}"
     return f"local damping {damping:g}" if damping else "no damping"
 
 
 def price_of_dashpots(shorter: float) -> str:
-    """What `masonry check` says where dashpots in proportion to stiffness make the steps so many times shorter."""
+    """Remark of `masonry check` where dashpots in proportion to stiffness make the steps so many times shorter."""
     if shorter < DEAR:
         return ""
     return (

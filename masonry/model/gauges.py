@@ -47,7 +47,7 @@ class Gauge:
     height: float = 0.0
 
     def look(self, model: Model, velocities: dict[str, np.ndarray]) -> float:
-        """What a row reads: m/s of a velocity, else m. velocities: (rows, dofs) by kind of motion, now."""
+        """Reading of a row: m/s of a velocity, else m. velocities: (rows, dofs) by kind of motion, now."""
         if self.quantity == "velocity":
             return self.speed(velocities, getattr(model.bodies.rigid, "frame", None))
         return self.read(model)

@@ -43,7 +43,7 @@ class KindOfMotion:
         return values[layout.members[self.name]]
 
     def words(self, layout: Layout, row: int) -> str:
-        """What a row of dofs belongs to, to blame it in a message."""
+        """Block to which a row of dofs belongs, in words for a message."""
         return f"{self.name} block {layout.owner[self.name][row]}"
 
     def local_arms(self, arm: np.ndarray, axes: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""What the worst block costs: how much longer the time step would be without it."""
+"""Cost of the worst block: how much longer the time step would be without it."""
 
 from dataclasses import dataclass
 

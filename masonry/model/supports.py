@@ -1,4 +1,4 @@
-"""What supports and drive take hold of: blocks or faces of them, and the dofs that this means."""
+"""Blocks or faces that supports and the drive hold, and the dofs that this means."""
 
 from dataclasses import dataclass
 

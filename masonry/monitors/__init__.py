@@ -1,1 +1,1 @@
-"""What is observed between chunks of steps: stability, overlap, slip, sudden cracks."""
+"""Observers between chunks of steps: stability, overlap, slip, sudden cracks."""

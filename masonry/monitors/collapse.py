@@ -1,4 +1,4 @@
-"""What is looked at where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
+"""Observers where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple

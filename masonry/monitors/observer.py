@@ -1,4 +1,4 @@
-"""What observes a run: at each row of the history it is shown the specimen, and says what it found by name."""
+"""Observer of a run: at each row of the history it is shown the specimen, and says what it found by name."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -43,11 +43,11 @@ class Observer:
         raise NotImplementedError
 
     def found(self) -> dict[str, Any]:
-        """What is to be said of the whole run, by name."""
+        """Findings on the whole run, by name."""
         return {}
 
     def state(self) -> State:
-        """What it remembers."""
+        """State that it remembers."""
         return attributes(self, self.REMEMBERED)
 
     def restore(self, state: State) -> None:

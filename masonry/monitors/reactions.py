@@ -1,4 +1,4 @@
-"""What holds a specimen and what loads it: force and moment of supports, drive and dead loads; work of the loads."""
+"""Supports and loads of a specimen: force and moment of supports, drive and dead loads; work of the loads."""
 
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Parts = dict[str, tuple[np.ndarray, np.ndarray]]
 
 @dataclass(frozen=True)
 class Outer:
-    """What acts on a specimen from outside: a support, the drive, or a dead load.
+    """Action on a specimen from outside: a support, the drive, or a dead load.
 
     parts   of a support or drive: 1 at the dofs that it holds; of a load: its generalised forces at a factor of 1
     varies  number of a load's history, None where its factor is that of the dead loads
@@ -197,7 +197,7 @@ def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing
 
 
 def open_by(standings: Collection[Standing], size: float, least: float = 0.0) -> float:
-    """What is left of the sum of all forces, or of all moments over the size (m) of the specimen, as a share.
+    """Residual of the sum of all forces, or of all moments over the size (m) of the specimen, as a share.
 
     Its measure is the largest force of all the moments in time that are given: one that has fallen to nothing by the
     end tells nothing of rounding. Where that is below `least` (N), as on what flies freely, it is `least`.
@@ -207,7 +207,7 @@ def open_by(standings: Collection[Standing], size: float, least: float = 0.0) ->
 
 
 def moved_by(standing: Standing, standings: Collection[Standing], size: float) -> float:
-    """What damping and inertia make together at one moment in time, measured alike: 0 at rest."""
+    """Resultant of damping and inertia at one moment in time, measured alike: 0 at rest."""
     return _largest(standing.damping + standing.inertia, size) / _scale(standings, size)
 
 

@@ -1,4 +1,4 @@
-"""What is recorded of a run, how often, and what acts from outside."""
+"""Quantities recorded of a run, how often, and the actions from outside."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What is looked at while the ground shakes: the widest opening, the largest force between two blocks, input energy."""
+"""Observations while the ground shakes: the widest opening, the largest force between two blocks, input energy."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What is looked at between chunks: is the motion still to be trusted."""
+"""Checks between chunks: whether the motion is still to be trusted."""
 
 from math import inf
 

@@ -1,5 +1,5 @@
-"""What patches are made of: the points where pairs touch, what holds where they do, how blocks move, and how a search
-or a step ends. Pairs themselves: pairs.py."""
+"""Data of patches: the points where pairs touch, what holds where they do, how blocks move, and how a search or a step
+ends. Pairs themselves: pairs.py."""
 
 from typing import Any, NamedTuple
 
@@ -53,7 +53,7 @@ class PatchPoints(NamedTuple):
 
 
 class Rules(NamedTuple):
-    """What two groups of blocks do where they meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
+    """Rules for two groups of blocks that meet, (R,) each: Pa/m, Pa/m, tangent, share of critical damping, and the
     residual cohesion (Pa) of faces that touch; None where no table has any. keep, gain (J,) of the branches beside the
     springs: branches.py; None without any. rise (R, 3) where a restitution is given, 0 else: by how much more of
     critical a dashpot needs in an impact of w (1/s), over w and its square, and the most w. cap (R, 4) strength in
@@ -101,7 +101,7 @@ class BlockMotion(NamedTuple):
 
 
 class Search(NamedTuple):
-    """What looking for contacts needs.
+    """Data of the search for contacts.
 
     group, unit (B,) of each block      law_of (G, G, 2) row of Rules for two groups, of two units or of one
     bonded   (K,) sorted, a * N + b of the blocks a < b that bonds hold together: patches are not looked for there;

@@ -81,7 +81,7 @@ def faded(keep, gain, m, n, along, e, kn, ks, room):
 
 @inlined
 def of_bond(own, keep, gain, before, stress, c, parted, n, kn, ks, room):
-    """What the dashpots of the contacts from c on bear (3) Pa on side a, and what they took (J/m2).
+    """Stress of the dashpots of the contacts from c on, (3) Pa on side a, and the energy that they took (J/m2).
 
     own  which of them there are    parted  (3) m, of side b against side a    kn, ks, room  as of `faded`
     """
@@ -114,7 +114,7 @@ def put_vector(own, array, c, column, vector):
 
 @inlined
 def beside(branches, keep, gain, s, k, joint, dt, touches, t, most, sigma, d, along, n, rotation):
-    """What the dashpots of four points of a patch bear (3) Pa, and what they took (J/m2).
+    """Stress of the dashpots of four points of a patch, (3) Pa, and the energy that they took (J/m2).
 
     t, most  Pa, shear of the springs and the most that they bear; sigma  Pa, the normal stress
     d, along  m/s, of the other block against the reference, and its part along n; rotation  rad, of both in this step

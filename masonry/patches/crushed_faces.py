@@ -28,7 +28,7 @@ OF_TETS = 4
 
 
 class CrushedFaces(NamedTuple):
-    """What F faces remember, in cells over a rectangle that has a side along the longest edge of the face.
+    """Crushing of F faces, in cells over a rectangle that has a side along the longest edge of the face.
 
     corner    (F, 3) m, where the cells begin, from the centroid of the body, in its frame
     along, across   (F, 3) 1/m: the place from that corner times them is how many cells it is away
@@ -101,7 +101,7 @@ def row_at(place, rows):
 
 @inner
 def keep_crushing(crushed, near, pairs, p):
-    """What the points of pair p were crushed since they last told goes to the faces; before a look, or their end."""
+    """Transfer to the faces of the crushing of pair p's points since they last told; before a look, or their end."""
     if crushed is not None:
         s = pairs.slot[p]
         if s >= 0 and has_grown(near.points, s):

@@ -1,4 +1,4 @@
-"""What is asked of patches at rows, and not at every step: energies, forces, overlaps, compressions."""
+"""Measures of patches at rows, and not at every step: energies, forces, overlaps, compressions."""
 
 from masonry.detection.narrow import FACE
 from masonry.jit.compiled_parts import CompiledPart

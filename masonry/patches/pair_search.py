@@ -14,7 +14,7 @@ from masonry.patches.press import stored
 
 
 def searching_for(near: Near) -> tuple[Call, np.ndarray]:
-    """What `find_pairs` needs to be called: the call, and where its answer stands."""
+    """Call of `find_pairs`, and the place of its answer."""
     count, answer = np.zeros(1, dtype=np.int64), np.zeros(1, dtype=bool)
     return _find_pairs.of(near, _list_candidates.of(places_alone(near), count), count, answer), answer
 

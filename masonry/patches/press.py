@@ -147,7 +147,7 @@ def respond(
     points, joint, dashpot, s, k, present, gap, d, along, closing, n, rotation, dt, keep, gain, rise,
     crushed, cap, cut_off, row,
 ):  # fmt: skip
-    """What four points of a patch bear: shear (3) and normal force (N); what friction, dashpot and crushing took (J).
+    """Forces of four points of a patch: shear (3) and normal (N); energy that friction, dashpot and crushing took (J).
 
     joint     as `joint_of`; dashpot Pa s/m     present  which of the four there are
     d, along  m/s, of the other block against the reference, and its part along the normal n

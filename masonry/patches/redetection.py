@@ -57,7 +57,7 @@ SEPARATION, BLEND, SIZE = range(3)
 
 
 class Touch(NamedTuple):
-    """What is asked of a pair, and what a look finds.
+    """Question about a pair, and findings of a look.
 
     whole  (7,) WHICH pair; whether it touches with other faces as it is SUNK; KIND of contact, COUNT of points and side
            of their OWNER; how many points there were, FORMER; ANSWER
@@ -69,7 +69,7 @@ class Touch(NamedTuple):
 
 
 def looking_at(near: Near) -> tuple[Call, Touch]:
-    """What `look` needs to be called: the call, and room for what it asks and finds."""
+    """Call of `look`, and room for what it asks and finds."""
     touch, places = Touch(np.zeros(7, dtype=np.int64), np.zeros(3)), places_alone(near)
     renewing = _renew.of(near, _hand_on.of(places, touch), touch)
     return _look.of(near, _touch.of(places, touch), renewing, touch), touch
@@ -139,7 +139,7 @@ def touch_anew(near, p, query):
 
 @inner
 def answer_of(near, touching, renewing, query):
-    """What `look` returns."""
+    """Answer of `look`."""
     p = query.whole[WHICH]
     pieces, pairs, points, motion, search = near.pieces, near.pairs, near.points, near.motion, near.search
     a, b = pairs.body[p, 0], pairs.body[p, 1]

@@ -52,7 +52,7 @@ def _refresh(record):
 
 @inner
 def spare_after(near, searching, looking, step):
-    """What `refresh` returns; `searching` and `looking` as of pair_search.py and redetection.py."""
+    """Answer of `refresh`; `searching` and `looking` as of pair_search.py and redetection.py."""
     search, pairs, travel = near.search, near.pairs, near.motion.travel
     widened, search.listed[0] = widen(search, step), False
     spare, looked = search.skin[0] - farthest(travel, search.built), False
@@ -92,7 +92,7 @@ def widen(search, step):
 
 @inner
 def call_others(near, p):
-    """What shares a face of a moving block with pair p, or may soon, is to be looked at in the same step."""
+    """Marks on faces and blocks for a look, in the same step, at others that share one with pair p, or may soon."""
     pairs, search = near.pairs, near.search
     for side in range(2):
         block = pairs.body[p, side]

@@ -85,7 +85,7 @@ def list_losers(pairs, search, count):
 
 @inner
 def let_losers_pay(pairs, search, p):
-    """What patch p gained is paid by what others on its two faces lost, in the order of their numbers."""
+    """Payment for the gain of patch p by what others on its two faces lost, in the order of their numbers."""
     one, two = pairs.witness[p, 1], pairs.witness[p, 2]
     here, there = search.patches[one], search.patches[two]
     while here >= 0 or there >= 0:

@@ -1,4 +1,4 @@
-"""What a picture of cracks shows, as plain arrays: the outlines of blocks, and the contacts seen edge-on."""
+"""Content of a picture of cracks, as plain arrays: the outlines of blocks, and the contacts seen edge-on."""
 
 from dataclasses import dataclass, fields
 

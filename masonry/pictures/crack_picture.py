@@ -41,7 +41,7 @@ BESIDE = 0.3
 
 
 def drawing_of(result: "ResultData", view: str | None = None) -> Drawing:
-    """What draws a result in one of VIEWS, by default in its usual one."""
+    """Drawing of a result in one of VIEWS, by default in its usual one."""
     view = view or usual_view(result)
     if result.is_large:
         return MovedDrawing(result, view)

@@ -1,4 +1,4 @@
-"""What draws the frames of one result, seen by a camera; kinds: front.py, oblique.py, large/moved_blocks.py."""
+"""Drawing of the frames of one result, seen by a camera; kinds: front.py, oblique.py, large/moved_blocks.py."""
 
 from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any

@@ -16,7 +16,7 @@ LAMP = np.array([0.2, -0.75, 0.6])
 
 
 class FaceDrawing:
-    """What is added later is drawn over what was added before."""
+    """Layers of a drawing in the order of their addition: what is added later is drawn over what was added before."""
 
     def __init__(self, blocks: Blocks, camera: Camera, lamp: np.ndarray | None = None) -> None:
         from matplotlib.colors import to_rgb

@@ -65,7 +65,7 @@ class FacesDrawing(Drawing):
         """(E,) for the edge after each corner of a tile the number of the piece that it is drawn after, -1 for none."""
 
     def canvas(self) -> FaceDrawing:
-        """What pieces are added to."""
+        """Drawing to which pieces are added."""
         return FaceDrawing(self.result.specimen.blocks, self.camera)
 
     def draw(self, axes: Any, frame: Frame, cracks: JointCracks, times: float, scale: float) -> None:
@@ -86,7 +86,7 @@ class FacesDrawing(Drawing):
         self.draw_thrust(axes, frame, times, pieces)
 
     def draw_joints(self, faces: FaceDrawing, cracks: JointCracks, tiles: list[np.ndarray]) -> None:
-        """What is seen of the joints of some cracks, whose tiles are given, behind all faces: nothing."""
+        """Visible part of the joints of some cracks, whose tiles are given, behind all faces: none."""
 
     def draw_thrust(self, axes: Any, frame: Frame, times: float, pieces: list[Piece]) -> None:
         """Draw the thrust line in front of these faces: none."""

@@ -1,4 +1,4 @@
-"""What all pictures share: titles as they were written, axes, files without a display."""
+"""Common style of all pictures: titles as they were written, axes, files without a display."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any

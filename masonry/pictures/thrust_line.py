@@ -80,7 +80,7 @@ class ThrustLine:
 
 
 def thrust_line(result: "ResultData", camera: Camera) -> ThrustLine | None:
-    """What to draw of joints that are seen edge-on; None without gravity, and for fewer or more joints than help."""
+    """Thrust line of joints that are seen edge-on; None without gravity, and for fewer or more joints than help."""
     if not result.scene_table.get("gravity"):
         return None
     joints = unit_joints(result.specimen.blocks, result.joints)

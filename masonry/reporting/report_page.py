@@ -45,7 +45,7 @@ class Picture(NamedTuple):
 
 
 class ReportPage(NamedTuple):
-    """What stands on the page of a run.
+    """Content of the page of a run.
 
     doubts   a sentence and an advice each;  criteria  how many were asked
     put_in   the numbers of joints and materials;  scene  the text that runs it again

@@ -1,4 +1,4 @@
-"""What the page of a run says: specimen, curve, cracks, results, verdict, doubts, assumptions, and what was put in."""
+"""Page of a run: specimen, curve, cracks, results, verdict, doubts, assumptions, and input."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -120,7 +120,7 @@ def picture_bytes(figure: Any) -> tuple[str, bytes]:
 
 
 def load_words(table: dict[str, Any]) -> str:
-    """What a load factor multiplies, as `masonry limit` says it; nothing where the scene does not say."""
+    """Load that a load factor multiplies, in the words of `masonry limit`; empty where the scene names none."""
     try:
         limit = LimitLoad.model_validate(table["limit"])
         return Vehicle.model_validate(table["vehicle"]).words if limit.pattern == "vehicle" else limit.words
@@ -143,7 +143,7 @@ def values_of(result: Result) -> Rows:
 
 
 def bar_row(number: int, table: dict[str, Any]) -> tuple[str, list[str]]:
-    """What a bar is: its keys but for its places, in place of which it has a length."""
+    """Name and description of a bar: its keys but for its places, in place of which it has a length."""
     keys = ("area", "strength", "young_modulus", "pretension", "slack", "compression")
     words = [f"{key.replace('_', ' ')} {readable(table[key])}" for key in keys if table.get(key) is not None]
     with suppress(ValueError):  # a scene of another version

@@ -1,1 +1,1 @@
-"""What a run leaves behind, as data and as files."""
+"""Results of a run, as data and as files."""

@@ -46,7 +46,7 @@ def properties_by_group(groups: Sequence["JointProperties"]) -> dict[str, np.nda
 
 @dataclass(repr=False)
 class ResultData:
-    """What a run leaves behind.
+    """Data that a run leaves behind.
 
     summary       numbers and words of summary.json; a table of them becomes one
     joint_group   (C,) index into joint_groups, the contact group of each contact point
@@ -153,7 +153,7 @@ class ResultData:
 
     @property
     def doubts(self) -> tuple[Doubt, ...]:
-        """What speaks against the numbers, the largest doubt first: name, value, limit, sentence, advice."""
+        """Doubts about the numbers, the largest first: name, value, limit, sentence, advice."""
         return judgement_of(self.summary).doubts
 
     @property

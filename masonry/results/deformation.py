@@ -8,8 +8,8 @@ from masonry.rows.history import Frame
 
 
 class BlockCorners:
-    """What the fits of all frames share: the corners of each block, each once and as heavy as it has faces, their mean,
-    and the inverse of their spread."""
+    """Common data of the fits of all frames: the corners of each block, each once and as heavy as it has faces, their
+    mean, and the inverse of their spread."""
 
     def __init__(self, blocks: Blocks) -> None:
         self.blocks = blocks

@@ -138,7 +138,7 @@ def _at_lowest(result: "ResultData") -> Chosen:
 
 
 def _measure(step: str | int | float, result: "ResultData") -> tuple[float, np.ndarray, float]:
-    """What is asked for, the same of each frame, and how near to it is as good as there."""
+    """Value asked for, the same of each frame, and the distance from it that is as good as there."""
     text, frames = str(step).strip(), result.history.frames
     if text.isdecimal():
         return float(text), np.array([frame.step for frame in frames], dtype=float), 0.0
@@ -168,7 +168,7 @@ def _quantity(text: str, kind: str) -> float | None:
 
 
 def _allowed(result: "ResultData") -> str:
-    """What may be asked for, in words."""
+    """Values that may be asked for, in words."""
     choices = [*WORDS, "the number of a step"]
     choices += ["a displacement such as '0.05 mm'"] if result.has_drive else []
     choices += ["a time such as '1.2 s'"] if result.in_real_time else []

@@ -1,4 +1,4 @@
-"""What supports and the drive exert on a specimen, in words."""
+"""Forces of supports and the drive on a specimen, in words."""
 
 from collections.abc import Mapping
 from typing import Any

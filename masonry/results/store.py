@@ -47,7 +47,7 @@ def save_fields(result: ResultData, folder: Path) -> None:
 
 
 def read(folder: Path | str) -> dict[str, Any]:
-    """What a ResultData is made of, from summary.json and history.h5. Raises SceneError if the folder holds none."""
+    """Parts of a ResultData, from summary.json and history.h5. Raises SceneError if the folder holds none."""
     folder = Path(folder)
     if not folder.is_dir():
         raise SceneError(f"'{folder}' is not a folder of results; `masonry run` writes one")

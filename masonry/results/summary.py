@@ -1,4 +1,4 @@
-"""What summary.json holds, in SI: a record of one part after another. docs/results.md says what each number means.
+"""Content of summary.json, in SI: a record of one part after another. docs/results.md says what each number means.
 
 Each part is made by a file of masonry/laboratory/summary/. None is what was not measured in a run, what
 does not apply to it, and what an older version did not write.
@@ -22,7 +22,7 @@ Numbers = Mapping[str, float | None]
 
 @dataclass(frozen=True, eq=False)
 class Description(Record):
-    """What was run; `left_out` is the load of [limit], in words, where the scene has runs leave it out on purpose."""
+    """Subject of a run; `left_out` is the load of [limit] in words, if the scene has runs leave it out on purpose."""
 
     scene: str | None = None
     law: str | None = None
@@ -60,7 +60,7 @@ class Course(Record):
 
     @property
     def time(self) -> str:
-        """What it took: `1.2 s run + 12 s compile; of processor 1.2 s + 12 s`."""
+        """Duration: `1.2 s run + 12 s compile; of processor 1.2 s + 12 s`."""
         processor = self.seconds_processor_run, self.seconds_processor_compile
         words = f"{_duration(self.seconds_run)} run + {_duration(self.seconds_compile)} compile"
         return words + ("" if None in processor else "; of processor {} + {}".format(*map(_duration, processor)))
@@ -78,7 +78,7 @@ class Readings(Record):
 
 @dataclass(frozen=True, eq=False)
 class Extremes(Record):
-    """What the drive met, and what the gauges read."""
+    """Extremes met by the drive, and readings of the gauges."""
 
     peak_stress_pa: float | None = None
     displacement_at_peak_m: float | None = None
@@ -96,7 +96,7 @@ class Extremes(Record):
 
 
 class Reaction(TypedDict, total=False):
-    """What a support, the drive or a load exerts, and on what."""
+    """Force and moment of a support, the drive or a load, and the part that they act on."""
 
     on: str
     force_n: list[float | None]
@@ -163,7 +163,7 @@ class SuddenCrack(Record):
 
 @dataclass(frozen=True, eq=False)
 class Damage(Record):
-    """What broke, opened, slid and was pressed."""
+    """Damage and compression: what broke, opened, slid and was pressed."""
 
     sudden_cracks: list[SuddenCrack] | None = list_of(SuddenCrack)
     released_over_dissipated: float | None = None
@@ -207,7 +207,7 @@ class FirstFall(Moment):
 
 @dataclass(frozen=True, eq=False)
 class CollapseBranch(Record):
-    """What became of the gauge that was to be led on behind a collapse, and where that ended."""
+    """Outcome of the gauge that was to be led on behind a collapse, and where that ended."""
 
     gauge: str = ""
     until_m: float = 0.0
@@ -322,7 +322,7 @@ class LargestForce(Record):
 
 @dataclass(frozen=True, eq=False)
 class Shaking(Record):
-    """What the ground did, and what it did to the specimen; times are those since the settling."""
+    """Motion of the ground, and its effect on the specimen; times are those since the settling."""
 
     settled_s: float = 0.0
     ground: dict[str, GroundComponent] | None = table_of(GroundComponent)

@@ -76,7 +76,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
 
 
 def _of_drive(place: np.ndarray, stress: np.ndarray) -> dict[str, float | None]:
-    """What the drive met in the rows of a cycle."""
+    """Stresses, places and stiffness met by the drive in the rows of a cycle."""
     far, near = int(np.argmax(place)), int(np.argmin(place))
     return {
         "highest_stress_pa": float(stress.max()),

@@ -1,4 +1,4 @@
-"""What a run remembers: rows of the curve and of the energy ledger, and a few frames of the whole specimen."""
+"""History of a run: rows of the curve and of the energy ledger, and a few frames of the whole specimen."""
 
 from dataclasses import dataclass, field
 

@@ -12,7 +12,7 @@ AT = 0.7
 
 
 class ForcePath(NamedTuple):
-    """What a test went through: places (n,) m, and forces (n,) N, one after the other."""
+    """Path of a test: places (n,) m, and forces (n,) N, one after the other."""
 
     place: np.ndarray
     force: np.ndarray

@@ -1,1 +1,1 @@
-"""What every long program needs: text and HDF5 files, folders, locks, processes, progress, interrupts."""
+"""Services for every long program: text and HDF5 files, folders, locks, processes, progress, interrupts."""

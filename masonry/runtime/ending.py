@@ -37,12 +37,12 @@ def code_of(error: KeyboardInterrupt) -> int:
 
 
 def word_of(error: KeyboardInterrupt) -> str:
-    """What happened to the command, in a word."""
+    """End of a command by an interrupt, in a word."""
     return word_of_signal(code_of(error) - 128)
 
 
 def word_of_signal(number: int) -> str:
-    """What a signal of this number does to a command, in a word."""
+    """End of a command by a signal of this number, in a word."""
     return WORDS.get(signal.Signals(number), "hung up")
 
 

@@ -1,4 +1,4 @@
-"""What of a result is finite: rows, frames and values of the summary; what is lost becomes a line of its log."""
+"""Finite part of a result: rows, frames and values of the summary; what is lost becomes a line of its log."""
 
 import math
 from collections.abc import Mapping

@@ -180,6 +180,6 @@ def is_checkpoint(folder: Path) -> bool:
 
 
 def foreign_checkpoint(folder: Path) -> str:
-    """What is said of something in the place of checkpoints that is not ours."""
+    """Message on something in the place of checkpoints that is not ours."""
     what = "is a link" if folder.is_symlink() else "holds things and is no checkpoint of a run"
     return f"'{folder}' {what}: move it, or name another folder for the results"

@@ -80,8 +80,8 @@ def interruptible() -> Iterator[Interrupts]:
 
 @contextlib.contextmanager
 def interrupt_afterwards() -> Iterator[list[int]]:
-    """What would raise KeyboardInterrupt (Ctrl-C; of a command all that ends it) fills a list, which may be looked at
-    meanwhile, and is raised at the end.
+    """Interrupts until the end of a block: each that would raise KeyboardInterrupt (Ctrl-C; of a command all that ends
+    it) is added to a list, which may be looked at meanwhile, and is raised at the end.
 
     Where somebody else looks after it, and outside the main thread, it stays so.
     """
@@ -103,8 +103,8 @@ def interrupt_afterwards() -> Iterator[list[int]]:
 
 
 def interruptible_wait(work: Callable[[], Answer], every: Callable[[float], None] | None = None) -> Answer:
-    """What a call comes to that does not hear Ctrl-C itself: it works in a thread, which is left alone on Ctrl-C, and
-    with which the process does not wait at its end.
+    """Result of a call that does not hear Ctrl-C itself: it works in a thread, which is left alone on Ctrl-C, and for
+    which the process does not wait at its end.
 
     every  is told the seconds so far, about once a second. Raises what the call raises.
 

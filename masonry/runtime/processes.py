@@ -27,7 +27,7 @@ STARTING = threading.Lock()
 
 @dataclass(frozen=True)
 class Lost:
-    """What is left of a task without an answer: its process died, it took too long, or its answer cannot travel."""
+    """Record of a task without an answer: its process died, it took too long, or its answer cannot travel."""
 
     reason: str
     seconds: float

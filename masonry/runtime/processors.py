@@ -20,7 +20,7 @@ class Seconds:
 
     @classmethod
     def now(cls) -> "Seconds":
-        """What both clocks read: the difference of two readings is what passed between them."""
+        """Readings of both clocks: the difference of two readings is the time between them."""
         return cls(time.perf_counter(), time.process_time())
 
     def __add__(self, other: "Seconds") -> "Seconds":

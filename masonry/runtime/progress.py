@@ -141,7 +141,7 @@ class Progress:
             self._say(self.line(step, left, note))
 
     def _announce(self, note: str, now: float) -> None:
-        """What is done before the first part, such as compiling; it does not count in the time left.
+        """Note on the work before the first part, such as compiling; it does not count in the time left.
 
         As plain lines, notes that begin alike (`step 40, ...`, `step 80, ...`) are said only now and then.
         """
@@ -173,7 +173,7 @@ class Progress:
             ticking.join()
 
     def __call__(self, step: int, total_steps: int, note: str = "") -> None:
-        """What a time loop calls: `step` of `total_steps` are done."""
+        """Call from a time loop: `step` of `total_steps` are done."""
         self.total_steps = total_steps
         self.update(step, note)
 

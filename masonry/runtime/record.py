@@ -96,7 +96,7 @@ def _as_it_is(value: Any) -> Any:
 
 
 def _wrong(value: Any, kind: Any, key: str) -> str:
-    """What of a value is not of its type, in words; "" where all of it is."""
+    """Part of a value that is not of its type, in words; "" where all of it is."""
     kinds = get_args(kind) if isinstance(kind, UnionType) else (kind,)
     if Any in kinds or (value is None and NoneType in kinds):
         return ""
@@ -123,7 +123,7 @@ def _is(value: Any, base: type) -> bool:
 
 
 def _parts(value: Any, kind: Any, key: str) -> Iterator[tuple[Any, Any, str]]:
-    """What a list or a table holds, each with its type and its key."""
+    """Elements of a list or a table, each with its type and its key."""
     inner = get_args(kind)
     if isinstance(value, list):
         yield from ((one, inner[0], f"{key}.{number}") for number, one in enumerate(value))

@@ -1,4 +1,4 @@
-"""What the commands share: exit codes, a parser that says what is wrong in one line, and how a complaint is said."""
+"""Common parts of the commands: exit codes, a parser that reports errors in one line, and the form of complaints."""
 
 import argparse
 import contextlib

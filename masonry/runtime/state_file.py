@@ -15,7 +15,7 @@ State = dict[str, Any]
 
 
 def attributes(thing: object, names: Iterable[str]) -> State:
-    """What they are now."""
+    """Present values of these attributes, by name."""
     return {name: getattr(thing, name) for name in names}
 
 
@@ -26,7 +26,7 @@ def load_attributes(thing: object, names: Iterable[str], state: State) -> None:
 
 
 class Remembers(Protocol):
-    """What remembers something from one chunk of steps to the next: a snapshot of it, and back."""
+    """Object with a memory from one chunk of steps to the next: a snapshot of it, and back."""
 
     def state(self) -> State: ...
 

@@ -75,12 +75,12 @@ def toml_of(text: str, name: str, what: str = "a scene") -> dict[str, Any]:
 
 
 def json_of(path: Path, largest: int = JSON_LARGEST) -> Any:
-    """What a JSON file holds. Raises SceneError."""
+    """Content of a JSON file. Raises SceneError."""
     return json_in(text_of(path, largest), f"'{path}'")
 
 
 def json_in(text: str, name: str) -> Any:
-    """What a JSON text holds: numbers are finite and fit into 64 bits. Raises SceneError; `name` is the file's."""
+    """Content of a JSON text: numbers are finite and fit into 64 bits. Raises SceneError; `name` is the file's."""
     try:
         return json.loads(text, parse_float=_finite, parse_int=_whole, parse_constant=_finite)
     except RecursionError:

@@ -104,7 +104,7 @@ def _grows(scene: Any) -> None:
 
 
 def _large_only(scene: Any) -> None:
-    """What only contacts that are found anew can have."""
+    """Check of keys that only contacts found anew can have."""
     only = 'needs displacements = "large" at the top of the file'
     if scene.is_large:
         return
@@ -159,7 +159,7 @@ def _in_real_time(scene: Any) -> dict[str, bool]:
 
 
 def _of_real_masses(scene: Any) -> None:
-    """What scaled masses cannot have."""
+    """Check of keys that scaled masses cannot have."""
     real = "needs solver.masses = 'real': scaled masses do not move in real time"
     own_time = {
         "solver.duration": scene.solver.duration is not None,
@@ -177,7 +177,7 @@ def _of_real_masses(scene: Any) -> None:
 
 
 def _shaking(scene: Any) -> None:
-    """What shakes it."""
+    """Checks of the ground and of the quiet boundaries that shake a scene."""
     if scene.ground:
         _ground(scene)
     if scene.quiet:
@@ -217,7 +217,7 @@ def _quiet(scene: Any) -> None:
 
 
 def _each_ground(scene: Any) -> None:
-    """What each of several grounds moves."""
+    """Check of the supports that each of several grounds moves."""
     held = [*(support.on for support in scene.support), *(["floor"] if scene.floor is not None else [])]
     alone = len(scene.ground) == 1
     for k, ground in enumerate(scene.ground):
@@ -233,7 +233,7 @@ def _each_ground(scene: Any) -> None:
 
 
 def _damping(scene: Any) -> None:
-    """What brakes motion relative to the ground; a drive, and supports that move, carry the specimen along."""
+    """Check of damping relative to the ground; a drive, and supports that move, carry the specimen along."""
     if scene.damping.brakes_all is None:
         return
     key = f"damping.{scene.damping.brakes_all}"

@@ -92,7 +92,7 @@ class SceneData(Table):
         return self.floor is not None and group == "floor"
 
     def contact_of(self, group: str) -> Contact:
-        """What is said of a group of contacts: its own table, or [contact.default]. KeyError where there is neither."""
+        """Table of a group of contacts: its own, or [contact.default]. KeyError where there is neither."""
         return self.contact[group if group in self.contact else "default"]
 
     @property
@@ -311,7 +311,7 @@ class SceneData(Table):
             raise KeyedError("gauge", "missing; the loops of limit.history are drawn over one: give a table [[gauge]]")
 
     def _curve_draws(self, curve: Curve, gauges: list[str], bars: list[str]) -> None:
-        """What it names is there; over the time the force of a bar as well."""
+        """Check that all names in a curve are there; over the time those of bars, for their force, as well."""
         tilts = self.gravity is not None and self.gravity.tilt is not None
         across = ["displacement", "time", *([TILT] if tilts else []), *gauges]
         if curve.x not in across:

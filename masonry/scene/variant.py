@@ -59,7 +59,7 @@ def _kind(raw: dict[str, Any]) -> Any:
 
 
 def drop_rivals(raw: dict[str, Any], path: Keys, keys: Container[Keys]) -> None:
-    """What stands at `path` takes the place of the rivals of its keys, and of what was assumed of them.
+    """Removal of the rivals of the keys that stand at `path`, and of what was assumed of them.
 
     The duration of an expression goes with it, and with large displacement go the limits of small ones.
     """

@@ -113,7 +113,7 @@ def _pack(values):
 
 
 def part(values, i):
-    """What `pack` made, from number i on: the lanes themselves, or number i of the tuple."""
+    """Result of `pack` from number i on: the lanes themselves, or number i of the tuple."""
     return values[i]
 
 

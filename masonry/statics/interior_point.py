@@ -40,7 +40,7 @@ class ConeSolver:
         self._clarabel: Any = None
 
     def solved(self, programme: Programme, tell: Tell | None) -> Any:
-        """What Clarabel finds. Raises KeyboardInterrupt within an iteration of Ctrl-C, SceneError without Clarabel.
+        """Solution by Clarabel. Raises KeyboardInterrupt within an iteration of Ctrl-C, SceneError without Clarabel.
 
         On one thread: more of them take longer as soon as anything else works on the machine.
         """

@@ -50,7 +50,7 @@ BEYOND = 5e-3
 
 @dataclass(frozen=True)
 class Flat:
-    """What the load path came to.
+    """Outcome of the load path.
 
     found          forces and factor at the end of the path, or where the factor was greatest; and the mechanism
     with_dilation  the factor of friction that dilates by its friction angle, which none without exceeds; inf if any is
@@ -216,7 +216,7 @@ class _LoadPath:
         return replace(self.flat, friction=np.zeros_like(strength), cohesion=strength)
 
     def end(self, forces: np.ndarray, with_dilation: float, steps: int) -> Flat:
-        """What is handed back, with the mechanism of the cylinders and the bound that it proves."""
+        """Result of the load path, with the mechanism of the cylinders and the bound that it proves."""
         still = np.zeros(len(self.forces.dead))
         solution = in_space(
             self.bodies, self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0

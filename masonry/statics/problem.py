@@ -1,4 +1,4 @@
-"""What limit analysis is given, and what it finds, as plain arrays: bodies, contact points, solutions."""
+"""Data and results of limit analysis, as plain arrays: bodies, contact points, solutions."""
 
 from dataclasses import dataclass, fields, replace
 from typing import Any
@@ -115,7 +115,7 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Solution:
-    """What an optimisation found.
+    """Solution of an optimisation.
 
     status    "solved", "infeasible" (no factor is balanced), "unbounded" (every factor is)
     factor    the largest factor

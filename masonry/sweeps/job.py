@@ -72,7 +72,7 @@ class Job:
 
     @property
     def scene_name(self) -> str:
-        """What to call its scene."""
+        """Name of its scene."""
         return str(self.scene) if isinstance(self.scene, str | Path) else self.scene.name
 
     @cached_property
@@ -92,7 +92,7 @@ class Job:
 
 
 def names(jobs: Sequence[Job]) -> list[str]:
-    """What to call each of many jobs in the lines that say how far they are: its label, else the settings in which it
+    """Names of many jobs in the lines that say how far they are: of each its label, else the settings in which it
     differs from the others, or the scene.
     """
     keys = dict.fromkeys(key for job in jobs for key in job.settings)

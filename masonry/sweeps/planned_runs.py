@@ -53,8 +53,8 @@ def plan(sweep: Sweep) -> list[Planned]:
 
 
 def faults(name: str, wrong: Mapping[int, SceneError], count: int, more: str = "") -> SceneError:
-    """What is wrong with some of `count` runs, by their number from 0: a line for each thing, with the first run that
-    has it, and at last `more`."""
+    """Errors of some of `count` runs, by their number from 0: a line for each thing, with the first run that has it,
+    and at last `more`."""
     by_words: dict[str, list[int]] = {}
     for number, error in wrong.items():
         by_words.setdefault("\n".join(line.removeprefix("--set ") for line in error.lines), []).append(number)

@@ -29,7 +29,7 @@ class Times:
 
 @dataclass(frozen=True)
 class Sweep:
-    """What a sweep file says.
+    """Content of a sweep file.
 
     name      of the file, for messages
     scene     a packaged scene's name, the path of a file beside the sweep's, or a scene
@@ -91,8 +91,8 @@ def sweep_of(raw: dict[str, Any], name: str, scene: "Scene | str | Path", folder
 
 
 def sweep_of_tables(scene: "Scene", tables: Any) -> Sweep:
-    """What a Python user asks for of a scene: tables as in a sweep file, or keys and values of a grid alone. Raises
-    SceneError."""
+    """Sweep of a scene as a Python user asks for it: tables as in a sweep file, or keys and values of a grid alone.
+    Raises SceneError."""
     from masonry.scene.source import plain
 
     if not isinstance(tables, Mapping) or not tables:

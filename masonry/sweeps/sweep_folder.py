@@ -54,7 +54,7 @@ def _holds(path: Path, text: str) -> bool:
 
 
 def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:
-    """What two sweep files say differently of their runs, a few words each; remarks and order are no difference."""
+    """Differences of the runs in two sweep files, a few words each; remarks and order are no difference."""
     a, b = (dict(_leaves({key: value for key, value in raw.items() if key != FRAGILITY})) for raw in (there, here))
     return [
         f"{'.'.join(key)} is {_short(a.get(key))} there, {_short(b.get(key))} here"

@@ -30,7 +30,7 @@ REFUSED = ("stop", "keep")
 
 @dataclass(frozen=True, repr=False)
 class SweepResult:
-    """What came of a sweep; it prints as `masonry sweep` does.
+    """Result of a sweep; it prints as `masonry sweep` does.
 
     folder     of the runs, the tables and the pictures
     columns    name -> a value for each run, in order; None where a run has none
@@ -159,8 +159,8 @@ def _require_buildable(name: str, planned: Sequence[Planned], workers: int, fold
 
 
 def planned_of(sweep: Sweep) -> "tuple[FragilityRequest | None, list[Planned]]":
-    """What [fragility] asks for, None where there is no such table, and every run. Raises SceneError: also where a run
-    has no such intensity, or no run can have such a measure."""
+    """Request of [fragility], None where there is no such table, and every run. Raises SceneError: also where a run has
+    no such intensity, or no run can have such a measure."""
     if FRAGILITY not in sweep.raw:
         return None, plan(sweep)
     from masonry.sweeps.fragility.intensity import intensities

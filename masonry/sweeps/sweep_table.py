@@ -22,8 +22,8 @@ FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_
 
 
 def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
-    """What the sweep set in each run: `KEY` as given, `KEY [unit]` in SI where it has a unit, `KEY times` where it was
-    told as a factor; and `KEY used [Pa]` of tensile strengths, where some run uses less than it was told.
+    """Values set by the sweep in each run: `KEY` as given, `KEY [unit]` in SI where it has a unit, `KEY times` where it
+    was told as a factor; and `KEY used [Pa]` of tensile strengths, where some run uses less than it was told.
     """
     cut = {key for run in planned for key, strength in run.job.tensile_strengths.items() if strength.is_cut}
     keys = list(dict.fromkeys(key for run in planned for key in run.values))

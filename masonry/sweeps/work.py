@@ -1,4 +1,4 @@
-"""What a worker does: one resolved scene is run to its end, and whatever happens becomes a status with a reason."""
+"""Task of a worker: one resolved scene is run to its end, and whatever happens becomes a status with a reason."""
 
 import time
 import traceback
@@ -16,7 +16,7 @@ STATUSES = (OK, REFUSED, STOPPED, ERROR)
 
 @dataclass(frozen=True)
 class RunEnd:
-    """What became of a run.
+    """Outcome of a run.
 
     status   OK; REFUSED before it began; STOPPED when its numbers could no longer be trusted; ERROR
     seconds  all in all: building, compiling, stepping

@@ -48,7 +48,7 @@ class Checkpoints:
             files.text(SCENE, scene_toml)
 
     def how(self) -> dict[str, Any]:
-        """What run.json says; nothing where it cannot be read."""
+        """Content of run.json; empty where it cannot be read."""
         try:
             found = json.loads((self.folder / HOW).read_text(encoding="utf-8"))
         except (OSError, ValueError):

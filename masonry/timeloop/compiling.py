@@ -50,7 +50,7 @@ def prepare(model: Model, threads: int, progress: Callable[[int, int, str], None
 
 
 def compiling_text(model: Model) -> str:
-    """What is compiled: the kinds of blocks and the laws that are in it, of what may meet friction."""
+    """Parts to compile: the kinds of blocks and the laws that are in the step, of what may meet friction."""
     blocks = " and ".join(kind for kind, members in model.layout.members.items() if len(members))
     words = [word_of(model.groups.parameters[g]) for g in model.swept]
     words += ["friction"] if configuration_of(model).any_size else []

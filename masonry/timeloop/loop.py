@@ -195,7 +195,7 @@ class Loop:
         return isinstance(collapse, Collapse) and collapse.block >= 0
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
-        """What the specimen shows now, in a row; and a frame where one is due, or the force is the highest so far."""
+        """Row of the state of the specimen now; and a frame where one is due, or the force is the highest so far."""
         model, load_factors, now = self.model, self.load_factors(), energy.observe(self.model)
         terms = energy.ledger(model, now, before)
         settling, rotation = step <= self.settle, self.watch.rotation

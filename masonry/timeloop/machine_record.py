@@ -1,4 +1,4 @@
-"""What was measured on this machine, kept in the cache folder: tables of numbers, each in a file of its own."""
+"""Measurements on this machine, kept in the cache folder: tables of numbers, each in a file of its own."""
 
 import contextlib
 import json

@@ -1,4 +1,4 @@
-"""What observes a run at its rows, by the names under which a checkpoint keeps it."""
+"""Observers of a run at its rows, by the names under which a checkpoint keeps them."""
 
 from masonry.configuration.configuration import configuration_of
 from masonry.model.large.row_sums import STRETCH
@@ -34,7 +34,7 @@ def observers_of(model: Model, recording: Recording) -> dict[str, Observer]:
 
 
 def large_looks(model: Model, recording: Recording) -> dict[str, Observer]:
-    """What is looked at where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
+    """Observers where blocks turn, fall and deform as far as they like; bonds alone keep place and area."""
     slide = {"slide": Slide(model, rollers=False)} if model.swept else {}
     deforms = {"deformation": LargestDeformation(STRETCH)} if any(body is not None for body in model.bodies[1:]) else {}
     collapse = Collapse(model, recording.weight_when_shaken)
@@ -42,7 +42,7 @@ def large_looks(model: Model, recording: Recording) -> dict[str, Observer]:
 
 
 def small_limits(model: Model, recording: Recording) -> dict[str, Observer]:
-    """What ends a run, or is doubted, where contacts stay those of the undeformed shape."""
+    """Observers that end a run, or raise a doubt, where contacts stay those of the undeformed shape."""
     return {
         "slide": Slide(model, recording.slip_limit),
         "collision": Collision(model, recording.sets),

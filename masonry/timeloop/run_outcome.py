@@ -1,4 +1,4 @@
-"""What comes of a run."""
+"""Outcome of a run."""
 
 from dataclasses import dataclass, field
 from typing import Any

@@ -1,1 +1,1 @@
-"""What cases hold two runs or a whole run against: invariance, ledgers, paired runs."""
+"""Checks of two runs or of a whole run, for cases: invariance, ledgers, paired runs."""

@@ -45,8 +45,8 @@ def planted(findings: Findings, scene: str) -> None:
 
 
 def two_sums(findings: Findings, words: str, runs: Sequence[Result], expected: float) -> None:
-    """What the laws book as dissipated against the work taken less the energy stored: equal as the step,
-    halved from run to run, vanishes; `expected` is their difference over the first in the second run.
+    """Dissipation booked by the laws against the work taken less the energy stored: equal as the step, halved from run
+    to run, vanishes; `expected` is their difference over the first in the second run.
 
     Rounding decides in which step a contact starts to soften: over one halving the order comes out between 0.84 and
     1.02, over two between 0.90 and 0.98.

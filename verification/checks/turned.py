@@ -32,7 +32,7 @@ Load = dict[str, np.ndarray | None]
 
 
 class NoSuchScene(Exception):
-    """What holds or drives a scene would lie along no axis once it is turned, and no scene can say so."""
+    """Support or drive of a scene that would lie along no axis once it is turned, which no scene can say."""
 
 
 @dataclass(frozen=True)
@@ -94,8 +94,8 @@ def turned(scene: Scene, turn: Turn) -> Iterator[Scene]:
 
 @dataclass(frozen=True)
 class _Upright:
-    """What is built of a scene that is not turned; and for the turned one the old number of each block, and by block
-    the matrix (3, 3) from its old principal axes to its new ones."""
+    """Parts of a scene that is not turned; and for the turned one the old number of each block, and by block the matrix
+    (3, 3) from its old principal axes to its new ones."""
 
     specimen: Specimen
     joints: Joints

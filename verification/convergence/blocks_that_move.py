@@ -34,7 +34,7 @@ def at_the_end(one: SceneRun) -> float:
 
 
 def rebound(one: SceneRun) -> dict[str, float]:
-    """What is left of the energy of motion after over before, as a speed."""
+    """Ratio of the energies of motion after and before, as a ratio of speeds."""
     return {"restitution": float(np.sqrt(at_the_end(one) / one.rows["kinetic"][1]))}
 
 

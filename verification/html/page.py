@@ -1,4 +1,4 @@
-"""What a chapter is made of: verdicts, records and pieces of HTML, every text escaped."""
+"""Parts of a chapter: verdicts, records and pieces of HTML, every text escaped."""
 
 import base64
 import html
@@ -24,7 +24,7 @@ class Verdict:
 
 @dataclass
 class Chapter:
-    """What a study returns: its verdicts, its records (one dict each) and its page as pieces of HTML.
+    """Chapter of a study: its verdicts, its records (one dict each) and its page as pieces of HTML.
 
     group   the heading in the contents under which it stands
     anchor  its name within the page, for links; its number where none is given

@@ -1,4 +1,4 @@
-"""What an experiment of the paper consists of: runs of scenes, and what they show: pictures and checked claims."""
+"""Experiment of the paper: runs of scenes, and what they show: pictures and checked claims."""
 
 import math
 import re
@@ -112,7 +112,7 @@ class Misprint:
 
 @dataclass
 class Section:
-    """What an experiment shows: HTML, claims, numbers to keep, verdicts beside that on the claims, and misprints."""
+    """Content of an experiment: HTML, claims, numbers to keep, verdicts beside that on the claims, and misprints."""
 
     parts: list[str] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)

@@ -73,7 +73,7 @@ def with_coarser(runs: Runs) -> Runs:
 
 
 def shown(experiment: Experiment, done: Done) -> Shown:
-    """What an experiment has to show; where runs that it needs are missing, that."""
+    """Presentation of an experiment; where runs that it needs are missing, a claim that says so."""
     try:
         section = experiment.show(done)
     except Missing as missing:

@@ -50,7 +50,7 @@ class RockingBlock:
 
 @dataclass(frozen=True)
 class Rocking:
-    """What a block has done: times (s) and angles (rad, towards +x positive) of all steps, times of its impacts."""
+    """Motion of a block: times (s) and angles (rad, towards +x positive) of all steps, times of its impacts."""
 
     time: np.ndarray
     angle: np.ndarray

@@ -130,7 +130,7 @@ def boxes(stack: Stack) -> list[dict[str, Any]]:
 
 
 def keys_of(stack: Stack) -> dict[str, Any]:
-    """What the scene `stack` needs to be this stack."""
+    """Keys by which the scene `stack` becomes this stack."""
     return {
         "specimen.box": boxes(stack),
         "material.units.density": f"{stack.density!r} kg/m^3",

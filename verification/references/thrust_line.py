@@ -48,13 +48,13 @@ class Ring:
     def under_axle(
         self, load: float, x: float, level: float, patch: float, tan_spread: float
     ) -> tuple[np.ndarray, np.ndarray]:
-        """What an axle (N) at x (m) on a road presses each voussoir with, and where."""
+        """Forces on each voussoir from an axle (N) at x (m) on a road, and where they act."""
         half = 0.5 * patch + tan_spread * (level - float(self.height(np.array([x]))[0]))
         ends = np.clip(self.joints[:, 1, 0], x - half, x + half)
         return load * np.diff(ends) / (2.0 * half), 0.5 * (ends[1:] + ends[:-1])
 
     def cuts(self, dead: np.ndarray, live: np.ndarray, first: int, unknowns: int) -> "Cuts":
-        """What passes through each joint, to the right; unknowns first, first + 1, first + 2 of so many are the force
+        """Forces and moment in each joint, to the right; unknowns first, first + 1, first + 2 of so many are the force
         along x and z in the first joint, and its moment.
 
         dead, live  (n, 2) downward forces N of each voussoir, and their moments F x, N m

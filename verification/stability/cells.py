@@ -1,4 +1,4 @@
-"""What a grid of the stability map is, and what may become of each of its cells."""
+"""Grid of the stability map, and the possible outcomes of each of its cells."""
 
 import math
 from collections.abc import Callable
@@ -74,7 +74,7 @@ class Grid:
 
 @dataclass
 class CellOutcome:
-    """What became of a cell: status, reason (the program's own words), largest error, kind of KINDS, records."""
+    """Outcome of a cell: status, reason (the program's own words), largest error, kind of KINDS, records."""
 
     row: str
     column: str

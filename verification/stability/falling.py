@@ -88,7 +88,7 @@ def masses(full: bool) -> Grid:
 
 
 def rules(kn: float, friction: float, zeta: float) -> Knobs:
-    """What blocks do where they meet."""
+    """Contact properties of blocks that meet."""
     return {
         "normal_stiffness": f"{kn!r} Pa/m",
         "shear_stiffness": f"{0.5 * kn!r} Pa/m",

@@ -72,6 +72,6 @@ CONTRADICTIONS: dict[str, Knobs] = {
 
 
 def contradictions() -> Grid:
-    """What contradicts itself or leads nowhere."""
+    """Input that contradicts itself or leads nowhere."""
     cells = {(row, ""): MapCell(COUPLET, knobs, sheared, ("REFUSED",)) for row, knobs in CONTRADICTIONS.items()}
     return Grid("Input that contradicts itself", "what", "", cells)

@@ -1,4 +1,4 @@
-"""What the runs of the maps are held against: closed forms of the sheared and of the torn joint."""
+"""References for the runs of the maps: closed forms of the sheared and of the torn joint."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What each shipped scene leaves out: without effect on its numbers, and without cost."""
+"""Features that each shipped scene leaves out: without effect on its numbers, and without cost."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -97,7 +97,7 @@ def record(part: Part, off: float, limit: float, reduced: float, full: float) ->
 
 
 def shipped(name: str, tell: Callable[[str], None]) -> list[str]:
-    """What the step of a packaged scene contains and what not."""
+    """Features that the step of a packaged scene contains and does not."""
     tell(f"left out: {name}")
     loaded = scene.load(name)
     report = laboratory.check(loaded)

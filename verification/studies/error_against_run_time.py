@@ -93,7 +93,7 @@ def _care(good: bool) -> str:
 
 
 def section(study: Study) -> list[str]:
-    """What to choose, the pictures, the reference, the table of times."""
+    """Recommended choice, the pictures, the reference, the table of times."""
     problem = study.problem
     panels = {q: study.lines(q) for q in study.references}
     fronts = {q: front([Point(k, t, s, 0, abs(e)) for k, points in lines.items() if is_setting(k)
@@ -114,7 +114,7 @@ def section(study: Study) -> list[str]:
 
 
 def reference_line(problem: Problem, references: dict[str, Reference]) -> str:
-    """What the errors are measured against."""
+    """Reference values against which the errors are measured."""
     said = [
         f"{q} {r.value:.6g} {problem.units[q]} ({r.kind}"
         + (f" ± {page.percent(r.uncertainty / abs(r.value))})" if r.uncertainty else ")")
@@ -145,7 +145,7 @@ def times(study: Study) -> str:
 
 
 def choice(points: list[Point], shipped: Point | None, doubt: float) -> str:
-    """What to choose, in a sentence or two."""
+    """Recommended choice, in a sentence or two."""
     good = [p for p in points if p.error <= TARGETS[0]]
     best = min(good, key=lambda p: p.seconds, default=None)
     said = [f"None of these settings comes within {page.percent(TARGETS[0])}."]

@@ -85,7 +85,7 @@ def proposed(summary: Mapping[str, Any]) -> int:
 
 
 def few_points(summary: Mapping[str, Any]) -> Doubt | None:
-    """What a run says of the number of its contact points; None where it is silent."""
+    """Doubt of a run about the number of its contact points; None where it is silent."""
     return next((doubt for doubt in judgement_of(summary).doubts if doubt.name == "few_points"), None)
 
 

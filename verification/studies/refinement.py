@@ -48,8 +48,8 @@ class Study:
         return timed_run.run(self.problem.scene, self.problem.base | keys, self.timed)
 
     def _references(self) -> dict[str, Reference]:
-        """What the numbers should be. A converged run is doubted by as much as the finest drive to an accuracy differs
-        from it: two ways to the same limit.
+        """Reference values of the numbers. A converged run is doubted by as much as the finest drive to an accuracy
+        differs from it: two ways to the same limit.
         """
         if self.problem.exact is not None:
             one = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
@@ -87,7 +87,7 @@ class Study:
         return {q: r.uncertainty / scales[q] if scales[q] else 0.0 for q, r in self.references.items()}
 
     def _scale(self, quantity: str, exact: Mapping[str, float]) -> float:
-        """What the error of a quantity is relative to."""
+        """Value to which the error of a quantity is relative."""
         over = OVER.get(quantity, quantity)
         return exact.get(over, self.references[over].value)
 
@@ -123,5 +123,5 @@ class Study:
 
     @property
     def shipped(self) -> Point | None:
-        """What a user gets who asks for nothing."""
+        """Point of a user who asks for nothing."""
         return next((p for p in self.points() if (p.knob, p.label) == self.problem.shipped), None)

@@ -32,7 +32,7 @@ class ClosedBody(NamedTuple):
 
 @dataclass
 class Changes:
-    """What was changed on the way, added up over all surfaces; lengths in the unit of the file.
+    """Changes on the way, added up over all surfaces; lengths in the unit of the file.
 
     doubled       faces left out because they are there twice
     collapsed     faces left out because their corners are fewer than three
@@ -179,7 +179,7 @@ def _require_closed(points: np.ndarray, loops: Loops, called: str) -> None:
 
 
 def _way_out(points: np.ndarray, loops: Loops) -> str:
-    """What closes an open surface: it was tried."""
+    """Advice that closes an open surface: it was tried."""
     tried = Changes()
     if _is_closed(loops + _lids(points, loops, np.inf, tried)):
         return f"close it where it was made, or by --holes: the widest of its holes is {tried.widest:.4g} wide"

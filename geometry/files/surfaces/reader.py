@@ -67,7 +67,7 @@ def read_surfaces(path: Path, unit: float | None = None, holes: float = 0.0, fla
 
 
 def _surfaces(path: Path, notes: list[str]) -> list[tuple[str, str, Surface]]:
-    """What a message calls each surface of a file or a folder, its own name, and the surface; notes gets sentences."""
+    """Name of each surface of a file or a folder in a message, its own name, and the surface; notes gets sentences."""
     in_folder, listed = path.is_dir(), []
     for file in files_of(path):
         surfaces = READERS.get(file.suffix.lower(), _by_trimesh)(file, notes)
@@ -90,7 +90,7 @@ def _moved(surfaces: list[tuple[str, Surface]], shift: np.ndarray) -> list[tuple
 
 
 def _shift(parts: list[np.ndarray]) -> np.ndarray:
-    """What is taken off all corners (., 3) where they lie far from the origin against their size; else zeros (3,)."""
+    """Shift taken off all corners (., 3) where they lie far from the origin against their size; else zeros (3,)."""
     different = {id(points): points for points in parts}.values()
     ends = np.array([(points.min(axis=0), points.max(axis=0)) for points in different])
     low, high = ends[:, 0].min(axis=0), ends[:, 1].max(axis=0)
@@ -113,14 +113,14 @@ def _far(shift: np.ndarray) -> str:
 
 
 def _far_away(shift: np.ndarray) -> str:
-    """What to try where bodies that lie far away (m) were refused: their rounding may be the reason."""
+    """Advice where bodies that lie far away (m) were refused: their rounding may be the reason."""
     if not shift.any():
         return ""
     return f"; {_far(shift).partition(':')[0]}: export them nearer to the origin, or in a format of full precision"
 
 
 def _called(file: Path, name: str, number: int, of: int) -> str:
-    """What a message calls a surface."""
+    """Name of a surface in a message."""
     if of == 1:
         return f"'{file.name}'"
     which = f"'{name}'" if name else f"group {number}"
@@ -152,7 +152,7 @@ READERS: dict[str, Callable[[Path, list[str]], list[Surface]]] = {".obj": read_o
 
 
 def _notes(changes: Changes, unit: float) -> list[str]:
-    """What was changed, in sentences."""
+    """Changes, in sentences."""
     notes = []
     if changes.doubled:
         notes.append(f"faces that were there twice, of which one was left out: {changes.doubled}")

@@ -57,9 +57,9 @@ class Mesh(NamedTuple):
 
 
 class _FlatFaces(NamedTuple):
-    """What is asked of faces: corners (T, 3, 3) of all triangles, those of a face one after another; where each face
-    begins (K + 1,); its longest side (K,) along an axis; moments (K, 13) and vectors (K, 3) as `_moments` has them; the
-    body (K,)."""
+    """Data of faces: corners (T, 3, 3) of all triangles, those of a face one after another; where each face begins (K +
+    1,); its longest side (K,) along an axis; moments (K, 13) and vectors (K, 3) as `_moments` has them; the body
+    (K,)."""
 
     place: np.ndarray
     start: np.ndarray

@@ -1,1 +1,1 @@
-"""What lies and drives on a structure: earth up to a level, and a vehicle on the road above it."""
+"""Loads on a structure: earth up to a level, and a vehicle on the road above it."""

@@ -1,4 +1,4 @@
-"""What each command of `masonry` does, from its words to calls of the laboratory; returns the exit code."""
+"""Commands of `masonry`, each from its words to calls of the laboratory; returns the exit code."""
 
 import argparse
 

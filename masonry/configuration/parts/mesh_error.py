@@ -93,8 +93,8 @@ def _density(stress: np.ndarray, lame: np.ndarray) -> np.ndarray:
 
 
 def finer(mesh: TetMesh, error: np.ndarray, share: float, limit: float, kind: str, size: float | None) -> str:
-    """What to take so that a share of the energy comes to less than a limit, where the error (T,) J of each tet is now:
-    by how much tets are too stiff falls with the square of their size. kind, size (m): of the mesh, as in a scene."""
+    """Advice that brings a share of the energy below a limit, where the error (T,) J of each tet is now: by how much
+    tets are too stiff falls with the square of their size. kind, size (m): of the mesh, as in a scene."""
     if kind == "fan":
         return 'take specimen.mesh = "gmsh" with a mesh_size that is a fraction of a block'
     corners = mesh.nodes[mesh.tets]

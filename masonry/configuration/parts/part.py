@@ -92,7 +92,7 @@ class MovingPart:
         return 0.5 * self.sums((self.masses * self.body.v**2).sum(axis=1))
 
     def strain(self, stress: np.ndarray) -> Strain:
-        """What blocks that deform hold; stress (b, 6) Pa m3 out, over the volume at the start."""
+        """Strain of blocks that deform; stress (b, 6) Pa m3 out, over the volume at the start."""
         raise NotImplementedError
 
     # impulses

@@ -1,4 +1,4 @@
-"""What bars add to the row sums that bound the time step: stable_step.py and large/row_sums.py have the proofs.
+"""Contribution of bars to the row sums that bound the time step: stable_step.py and large/row_sums.py have the proofs.
 
 In small displacement the stiffness of a bar is k g g', with g what its length changes by for a unit of each dof: its
 row i adds up to k |g_i| times the sum of all |g_j|. Where it turns it has the stiffness N/l across itself besides, less

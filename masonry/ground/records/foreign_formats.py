@@ -36,7 +36,7 @@ def require_own(name: str, lines: list[str]) -> None:
 
 
 def native_format(path: Path) -> str | None:
-    """What a file that is no text may be, as the end of a sentence."""
+    """Possible format of a file that is no text, as the end of a sentence."""
     with open(path, "rb") as file:
         begin = file.read(1024)
     word = begin[SAC_VERSION_AT : SAC_VERSION_AT + 4]

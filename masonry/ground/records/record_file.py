@@ -1,4 +1,4 @@
-"""What a file of a record holds: names of its columns and their values; what it says of times and units."""
+"""Content of a file of a record: names of its columns and their values; its statements on times and units."""
 
 import re
 from dataclasses import dataclass
@@ -62,7 +62,7 @@ class RecordFile:
         )
 
     def unit_of(self, column: int) -> str | None:
-        """What stands in brackets behind the name of a column, or what the head says."""
+        """Unit in brackets behind the name of a column, or the one that the head gives."""
         match = _IN_BRACKETS.search(" ".join(self.columns[column].split()))
         own = match[1].strip() if match else ""
         return own or (None if _plain(self.columns[column]) in ("t", "time") else self.unit)

@@ -1,4 +1,4 @@
-"""What the lines above the numbers of a record say: samples, the time from one to the next, their unit."""
+"""Lines above the numbers of a record: samples, the time from one to the next, their unit."""
 
 import re
 from typing import NamedTuple
@@ -35,7 +35,7 @@ class RecordHead(NamedTuple):
 
 
 def head_of(name: str, lines: list[str]) -> RecordHead:
-    """What the lines of a head say. Raises SceneError where they say it twice and not alike."""
+    """Data in the lines of a head. Raises SceneError where they are given twice and not alike."""
     lines = [line[:LONGEST_LINE] for line in lines]
     count = _one(name, "samples", [_searched(_COUNTS, line) for line in lines])
     steps = [_step_in(line) for line in lines]

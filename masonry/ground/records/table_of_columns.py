@@ -110,8 +110,8 @@ def _are_halves(rows: list[list[str]]) -> bool:
 
 
 def _first_numbers(name: str, lines: list[str]) -> tuple[str | None, int]:
-    """What separates the columns, as it does in most of the first lines, and the number of the first line of numbers:
-    of two or more, if there is one."""
+    """Separator of the columns, the one of most of the first lines, and the number of the first line of numbers: of two
+    or more, if there is one."""
     for fewest in (2, 1):
         separator = max(SEPARATORS, key=lambda one: _lines_of_numbers(lines[:LOOKED_AT], one, fewest))
         for k, line in enumerate(lines):

@@ -24,7 +24,7 @@ def still_rises(summary: Table) -> bool:
 
 
 def advice(evidence: Evidence) -> str:
-    """What to do; nothing of a run that was to go on."""
+    """Advice; empty for a run that was to go on."""
     ended_early = evidence.summary.get("stopped") or evidence.summary.get("interrupted")
     return "" if ended_early else "raise drive.displacement"
 

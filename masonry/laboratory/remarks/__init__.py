@@ -1,1 +1,1 @@
-"""What is said of a scene and of its run from blocks, joints and frames: doubts, one a file, found by folder."""
+"""Remarks on a scene and on its run from blocks, joints and frames: doubts, one a file, found by folder."""

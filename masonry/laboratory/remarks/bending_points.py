@@ -1,4 +1,4 @@
-"""What to do about contact points by which joints that stay closed bend too stiffly."""
+"""Advice on contact points by which joints that stay closed bend too stiffly."""
 
 from masonry.assembly.assemble import Assembly
 

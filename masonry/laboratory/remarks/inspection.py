@@ -73,5 +73,5 @@ class Inspection:
 
     @property
     def strength(self) -> str:
-        """What the number is called that the run is made for."""
+        """Name of the number for which the run is made."""
         return "peak" if self.assembly.scene.drive is not None else "load that is borne"

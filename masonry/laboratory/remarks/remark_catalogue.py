@@ -8,17 +8,17 @@ from masonry.laboratory.remarks.inspection import Inspection
 
 
 def doubts_of_scene(assembly: Assembly) -> list[Doubt]:
-    """What is doubtful before a run."""
+    """Doubts about a scene before a run."""
     return [doubt for module in modules_of(scenes) for doubt in module.doubts(assembly)]
 
 
 def doubts_of_run(inspection: Inspection) -> list[Doubt]:
-    """What frames and rows make doubtful, and what was so before."""
+    """Doubts from frames and rows, and those from before the run."""
     measured = [doubt for module in modules_of(runs) for doubt in module.doubts(inspection)]
     return [*doubts_of_scene(inspection.assembly), *measured]
 
 
 def remarks_of_check(assembly: Assembly) -> list[str]:
-    """What `masonry check` warns of, a line each."""
+    """Warnings of `masonry check`, a line each."""
     alone = [line for module in modules_of(checks) for line in module.remarks(assembly)]
     return [*(doubt.line for doubt in doubts_of_scene(assembly)), *alone]

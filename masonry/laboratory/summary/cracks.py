@@ -1,4 +1,4 @@
-"""What broke, opened, slid and was pressed."""
+"""Damage and compression: what broke, opened, slid and was pressed."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""What was run: the scene, its sizes, and how its steps went."""
+"""Description of a run: the scene, its sizes, and the course of its steps."""
 
 from dataclasses import asdict
 

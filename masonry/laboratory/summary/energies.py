@@ -41,7 +41,7 @@ def _by_load(assembly: Assembly, work: np.ndarray) -> dict[str, float]:
 
 
 def _mismatch(assembly: Assembly, rows: dict[str, np.ndarray], scales: Scales) -> float:
-    """What the laws booked against what the contacts took up and did not store."""
+    """Mismatch between what the laws booked and what the contacts took up and did not store."""
     torn = abs(open_in_contacts({key: float(values[-1]) for key, values in rows.items()}))
     measured = scales.dissipated or assembly.scene.is_large
     return torn / scales.booked if measured and scales.booked > 0.0 else 0.0

@@ -1,4 +1,4 @@
-"""What the drive met: the peak, the lowest stress, its cycles; and what the gauges read."""
+"""Extremes met by the drive: the peak, the lowest stress, its cycles; and the readings of the gauges."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What supports, the drive and the dead loads exert on the specimen, and how far all forces balance."""
+"""Forces of supports, the drive and the dead loads on the specimen, and the balance of all forces."""
 
 from typing import Any
 

@@ -73,7 +73,7 @@ def other_sources(toml: str) -> str:
 
 
 def provenance_of(toml: str) -> dict[str, str]:
-    """What a run of a resolved scene depends on, by a few words each."""
+    """Sources on which a run of a resolved scene depends, by a few words each."""
     records = files_of_records(toml)
     of_records = {"its records": hashlib.sha256(records).hexdigest()[:16]} if records else {}
     return {

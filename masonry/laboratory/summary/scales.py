@@ -19,7 +19,7 @@ Rows = dict[str, np.ndarray]
 
 @dataclass(frozen=True)
 class Scales:
-    """What is measured against what, in SI, of n rows.
+    """Scales against which quantities are measured, in SI, of n rows.
 
     in_real_time    whether the run is a motion in time: what moves will not be damped
     settled         number of the last row of the settling

@@ -70,7 +70,7 @@ def is_loaded_alike(assembly: Assembly, axis: str) -> bool:
 
 
 def _as_rigid(assembly: Assembly) -> Conditions:
-    """What holds and loads the blocks, each of them taken as rigid."""
+    """Supports and loads of the blocks, each of these taken as rigid."""
     scene = assembly.scene.model_copy(update={"motion": (), "kinematics": {"default": "rigid"}})
     specimen, joints = assembly.specimen, assembly.joints
     layout = lay_out(specimen.blocks, dict.fromkeys(specimen.blocks.groups, "rigid"), None)

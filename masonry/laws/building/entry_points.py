@@ -1,4 +1,4 @@
-"""What other installed packages add to the program, by entry points; looked for only where a name is not ours.
+"""Additions of other installed packages to the program, by entry points; looked for only where a name is not ours.
 
 Entry points are what somebody has installed, as the program itself: a scene can name one, and cannot bring one.
 """

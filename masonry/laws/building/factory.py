@@ -60,7 +60,7 @@ def build(
 
 
 def refusal(parameters: Any, joint: JointProperties, compressions: Sequence[float]) -> Refusal | None:
-    """What a law refuses of its parameters at some compressions (Pa), or None."""
+    """Refusal by a law of its parameters at some compressions (Pa), or None."""
     refuse = beside(type(parameters), "refuse")
     refused: Refusal | None = None if refuse is None else refuse(parameters, joint, compressions)
     return refused or refuse_crushing(joint)
@@ -158,7 +158,7 @@ def _joint_properties(where: str, p: Mapping[str, Any], stiffness: dict[str, flo
 
 
 def _crushing_of(where: str, p: Mapping[str, Any]) -> dict[str, float | None]:
-    """What JointProperties holds of crushing; nothing where it is not modelled."""
+    """Crushing parameters of JointProperties; none where crushing is not modelled."""
     if p.get("crushing") is None:
         return {}
     _require(where, p["law"], p, ["compressive_strength"])

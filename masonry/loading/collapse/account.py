@@ -1,4 +1,4 @@
-"""What the motion of a specimen that is led takes of the work of its load."""
+"""Part of the work of the load that the motion of a led specimen takes."""
 
 import numpy as np
 

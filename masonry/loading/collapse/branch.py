@@ -177,7 +177,7 @@ class Branch(Remembering):
         )
 
     def parts(self) -> dict[str, Remembers]:
-        """What it is made of, but for the drift, which is made when it begins."""
+        """Parts of the branch, but for the drift, which is made when it begins."""
         return attributes(self, ("gauge", "servo", "account"))
 
     def state(self) -> State:

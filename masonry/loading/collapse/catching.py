@@ -1,4 +1,4 @@
-"""What may catch a specimen that falls: bars that hang slack, contacts that stand open, blocks that come nearer.
+"""Obstacles that may catch a falling specimen: bars that hang slack, contacts that stand open, blocks that come nearer.
 
 A fall along a mechanism closes gaps: what has come so far since the last rest comes as much farther for as much more
 travel. By that it is told whether anything can bear before the travel ends after which a fall counts as such.
@@ -107,7 +107,7 @@ class Catching(Remembering):
         return bool((elements <= times).any() or (contacts <= times).any() or blocks)
 
     def clearances(self) -> Clearances:
-        """What is apart now."""
+        """Present clearances."""
         model, contacts = self.model, np.zeros(0)
         apart = np.concatenate([np.zeros(0), *(element.clearance() for element in model.elements)])
         if not self.configuration.any_size:

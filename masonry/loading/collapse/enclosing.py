@@ -77,7 +77,7 @@ class Enclosing(Remembering):
         self.trials += 1
 
     def bear(self) -> None:
-        """What was tried is borne."""
+        """Update after a trial that is borne."""
         self.stands = self.target
         if self.stands >= self.falls:  # what was taken for a fall is borne after all, coming from nearer
             self.falls, self.increment = inf, 0.5 * self.path.accuracy * self.stands
@@ -85,14 +85,14 @@ class Enclosing(Remembering):
             self.increment = min(2.0 * self.increment, self.longest)
 
     def fail(self) -> bool:
-        """What was tried is not borne; whether that is the least that was not."""
+        """Update after a trial that is not borne; whether it is the least that was not."""
         if self.target > self.falls:
             return False
         self.falls = self.target
         return True
 
     def catch(self) -> None:
-        """What was not borne is, after a fall that came to rest."""
+        """Update after a fall that came to rest: the load not borne before is borne."""
         self.done = self.progress()
         self.stands, self.falls = max(self.target, self.falls), inf
         self.increment = 0.5 * self.path.accuracy * self.stands

@@ -1,4 +1,4 @@
-"""What a load that grows, and the branch behind its collapse, go by: each number once, with its unit and its reason."""
+"""Settings of a load that grows and of the branch behind its collapse: each number once, with its unit and reason."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ from masonry.rows.rest_criterion import BORNE, RestCriterion
 
 @dataclass(frozen=True)
 class GrowingSettings:
-    """What a load that grows goes by.
+    """Settings of a load that grows.
 
     first      the first increment of the factor: no round one, as what can only just bear a load hardly comes to rest
     coarsest   greatest increment, over the factor that is borne; of a load that goes to and fro it is `of_span` times
@@ -80,7 +80,7 @@ GROWING = GrowingSettings()
 
 @dataclass(frozen=True)
 class FallingSettings:
-    """What the branch behind the collapse goes by. Rates are those of exponentials and of circular frequencies.
+    """Settings of the branch behind the collapse. Rates are those of exponentials and of circular frequencies.
 
     aim        of the accuracy: share of the collapse factor by which the factor exceeds equilibrium, as the gauge
                gathers pace; `rough`, times that, at which it gathers no more, and begins to slow down

@@ -1,4 +1,4 @@
-"""What came of a load that grew, and of the branch behind its collapse."""
+"""Outcome of a load that grew, and of the branch behind its collapse."""
 
 from dataclasses import asdict, dataclass
 from typing import Any

@@ -23,7 +23,7 @@ from masonry.runtime.state_file import Remembering
 
 
 class Phase(Remembering, ABC):
-    """What all phases have.
+    """Base of all phases.
 
     name          by which a checkpoint knows it
     bears_turns   whether a block that turns too far ends the phase, and not the run

@@ -61,7 +61,7 @@ class LastRest(Remembering):
 
 
 class Tally(Remembering):
-    """What is counted of trials.
+    """Counts of trials.
 
     steps    of the present one      slowest  the most that one took to come to rest
     swayed   m, the most that anything had moved at the last rest
@@ -189,7 +189,7 @@ class Trials(Remembering):
         self.keep(fell=True)
 
     def push_on(self) -> None:
-        """What nothing resists falls under some load, where something may catch it."""
+        """Load for a specimen that nothing resists, so that it falls where something may catch it."""
         if self.enclosing.stands <= self.enclosing.least:
             self.enclosing.target = max(self.enclosing.target, self.settings.first)
 

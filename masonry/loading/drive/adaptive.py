@@ -136,9 +136,9 @@ def share_of_cracks(model: Model) -> float:
 
 @dataclass(frozen=True)
 class AdaptiveOutcome(LoadingOutcome):
-    """What was asked for, and what was reached after the first damage: lags over the work done, their mean over the
-    path; the share of the largest force that damping took where that was reached, with dry contacts inertia as well,
-    none if that was before the drive; and by how much the force exceeded what was borne, at most, over the peak."""
+    """Accuracy asked for, and that reached after the first damage: lags over the work done, their mean over the path;
+    the share of the largest force that damping took where that was reached, with dry contacts inertia as well, none if
+    that was before the drive; and by how much the force exceeded what was borne, at most, over the peak."""
 
     accuracy: float
     increments: int
@@ -206,7 +206,7 @@ class AdaptiveLoading(Loading):
         return self.piece(in_one)
 
     def piece(self, in_one: bool = False) -> Chunk:
-        """What is left of an increment; so much at a time as is looked at, where the force may be the largest."""
+        """Rest of an increment; as much at a time as is looked at, where the force may be the largest."""
         in_one = in_one or self.approach.elastic or self.speed.takes_few_steps or bool(self.plan.reversals)
         in_one = in_one or not self.increments.borne.may_be_highest
         speed = self.speed.piece(1 if in_one else self.settings.looks)
@@ -235,7 +235,7 @@ class AdaptiveLoading(Loading):
         return borne.count(path, force)
 
     def columns(self) -> dict[str, float]:
-        """What of the force is not borne."""
+        """Part of the force that is not borne."""
         return {EXCESS: abs(self.increments.borne.excess)}
 
     def look(self, force: float, support: float, seen: Seen, terms: dict[str, float]) -> None:

@@ -1,4 +1,4 @@
-"""What a drive to an accuracy goes by: each number once, with its unit and its reason."""
+"""Settings of a drive to an accuracy: each number once, with its unit and its reason."""
 
 from dataclasses import dataclass
 

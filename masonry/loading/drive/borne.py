@@ -1,4 +1,4 @@
-"""What a drive bears at rest: its force less what inertia and damping hold up.
+"""Force of a drive that is borne at rest: its force less what inertia and damping hold up.
 
 A row is out of balance where forces r are left on what is free: what inertia and damping take. Held at that place, the
 specimen would come to rest, and the force of the drive would change by that of its small move there: by r along the

@@ -1,4 +1,4 @@
-"""What an increment of a drive may bring once something has broken, and how the speed follows from that."""
+"""Bounds on an increment of a drive once something has broken, and the speed that follows from them."""
 
 from typing import NamedTuple
 
@@ -63,7 +63,7 @@ class Bounds:
         return float(min(max(1.0 / excess, settings.slower), settings.faster))
 
     def state(self) -> State:
-        """What is reported at the end."""
+        """State that is reported at the end."""
         return {"looks": np.array(self.looks).reshape(-1, 4)}
 
     def restore(self, state: State) -> None:

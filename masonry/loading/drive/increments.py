@@ -1,4 +1,4 @@
-"""What the increments of a drive have brought so far."""
+"""Results of the increments of a drive so far."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ from masonry.runtime.state_file import Remembering
 
 
 class DriveRow(NamedTuple):
-    """What a row shows to a drive: forces of drive and support (N), what contacts show, and energies (J): stored,
+    """Data of a row for a drive: forces of drive and support (N), what contacts show, and energies (J): stored,
     dissipated by fracture and crushing, of motion, and what damping took; and what of the force (N) is not borne."""
 
     force: float
@@ -63,7 +63,7 @@ class Increments(Remembering):
         self.count += 1
 
     def see(self, row: DriveRow) -> None:
-        """What it brought, in the extremes."""
+        """Update of the extremes and the work by a row."""
         self.most_stored = max(self.most_stored, row.stored, 1e-300)
         self.most_force = max(self.most_force, abs(row.force), 1e-300)
         self.work += abs(row.force) * self.made
@@ -73,5 +73,5 @@ class Increments(Remembering):
         self.stored, self.broken, self.damped = row.stored, row.broken, damped
 
     def parts(self) -> dict[str, BorneForce]:
-        """What is borne."""
+        """Force that is borne, by its name as a part."""
         return {"borne": self.borne}

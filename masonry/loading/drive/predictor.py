@@ -1,4 +1,4 @@
-"""What the specimen is expected to do next: what it did last, for as much displacement of the drive.
+"""Expected next motion of the specimen: its last one, for as much displacement of the drive.
 
 Every free velocity is the drive's speed times a field (the displacement that the last increment brought, for a unit of
 the drive's) plus a rest, and only the rest is damped by viscosity. Steady loading then meets no drag and sends out no

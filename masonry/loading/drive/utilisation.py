@@ -52,7 +52,7 @@ def pressed_over_cap(joint: JointProperties, sigma: np.ndarray, tau: np.ndarray)
 
 
 class Dry:
-    """What a drive goes by where contacts are patches (Model.dry): these do not tell how near they are to part or to
+    """Criteria of a drive where contacts are patches (Model.dry): these do not tell how near they are to part or to
     slide, so nothing counts as elastic; and what rocks on them stores next to nothing.
 
     parting   m, a path in which faces hardly part

@@ -66,5 +66,5 @@ class Drift:
         return np.where(alone, paces, 0.0)
 
     def state(self) -> State:
-        """What it is made anew from."""
+        """State from which it is made anew."""
         return {"moved": self.moved, "fades": self.fades, "places": self.places}

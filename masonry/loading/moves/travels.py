@@ -19,9 +19,9 @@ SLIDES, TWICE = 0.1, 2.0
 
 
 class Limits(NamedTuple):
-    """What is a rest, and what a fall (GrowingSettings of collapse/growing_settings.py): the level of a rest, and
-    what a gauge may still move over the farthest that it did; motion of a fall over the size of a block, and over the
-    most that brought it to rest."""
+    """Limits of a rest and of a fall (GrowingSettings of collapse/growing_settings.py): the level of a rest, and what a
+    gauge may still move over the farthest that it did; motion of a fall over the size of a block, and over the most
+    that brought it to rest."""
 
     rest: RestCriterion
     reading: float

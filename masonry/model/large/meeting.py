@@ -96,8 +96,8 @@ class Meetings:
 
 @dataclass
 class Large:
-    """What a model of large displacement has besides: bonds, and how far (C, 3) m their sides have parted in the frame
-    of side a, which is what their laws see; what may meet, and the kinds of blocks if some deform."""
+    """Additional data of a model of large displacement: bonds, and the separation (C, 3) m of their sides in the frame
+    of side a, which is what their laws see; pieces that may meet, and the kinds of blocks if some deform."""
 
     bonds: Bonds
     parted: np.ndarray
@@ -239,7 +239,7 @@ def near_of(
     drives: Dofs,
     moved: Sequence[Dofs],
 ) -> tuple[Near, Members | None]:
-    """What may meet, with room for the contacts of the undeformed shape twice over; and kinds.
+    """Pieces that may meet, with room for the contacts of the undeformed shape twice over; and the kinds of blocks.
 
     masses (rows, dofs) of each kind, those of motion, of held blocks too; bonded (K, 2) blocks that bonds hold together
     """
@@ -280,7 +280,7 @@ def search_of(
     tets: SurfaceTets | None,
     room: int,
 ) -> Search:
-    """What looking for contacts among these pieces needs, with room for so many pairs."""
+    """Data of the search for contacts among these pieces, with room for so many pairs."""
     count, size, pair_keys = len(pieces.block), sizes_of(layout, tets), keys(bonded, len(pieces.body))
     free = free_bodies(layout, bodies, tets)
     return Search(

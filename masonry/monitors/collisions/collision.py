@@ -139,7 +139,7 @@ class Collision(Observer):
         self.met, self.words = np.append(self.met, self.codes[n]), self.words or self.last
 
     def _name(self, block: int) -> str:
-        """What a scene calls a block: the smallest of its sets that holds it, with its number where that holds more."""
+        """Name of a block in a scene: the smallest of its sets that holds it, with its number where that holds more."""
         holding = {name: len(members) for name, members in self.sets.items() if block in members}
         if not holding:
             return f"block {block} (unit {self.blocks.unit[block]})"

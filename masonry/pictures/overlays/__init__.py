@@ -1,1 +1,1 @@
-"""What is drawn over the blocks of a specimen."""
+"""Overlays drawn over the blocks of a specimen."""

@@ -1,4 +1,4 @@
-"""What summary.json says of a test in a laboratory: a measured curve beside the computed one, results by a standard."""
+"""Records of a laboratory test in summary.json: a measured curve beside the computed one, results by a standard."""
 
 from dataclasses import dataclass
 
@@ -34,7 +34,7 @@ class MeasuredBeside(Record):
 
 @dataclass(frozen=True, eq=False)
 class StandardResults(Record):
-    """What a test by a standard reports: its strength, and the secant modulus at a third of the largest force."""
+    """Results of a test by a standard: its strength, and the secant modulus at a third of the largest force."""
 
     test: str = ""
     area_m2: float | None = None

@@ -1,1 +1,1 @@
-"""What of a folder is ours: nothing else in it is replaced or deleted."""
+"""Files of a folder that are ours: nothing else in it is replaced or deleted."""

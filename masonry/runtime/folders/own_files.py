@@ -124,7 +124,7 @@ def _entries(folder: Path) -> dict[str, list[str]]:
 
 
 def _listed(path: Path) -> dict[str, list[str]] | None:
-    """What a list holds; None where there is none, or one that is not ours."""
+    """Entries of a list of files; None where there is no list, or one that is not ours."""
     content = _table(path)
     entries = content.get("files") if content is not None else None
     if not isinstance(entries, dict) or not all(isinstance(marks, list) for marks in entries.values()):
@@ -151,7 +151,7 @@ def _table(path: Path) -> dict[str, Any] | None:
 
 
 def _mark(path: Path) -> str:
-    """What tells a file from others: its size, and a hash of both of its ends. Raises OSError."""
+    """Mark that tells a file from others: its size, and a hash of both of its ends. Raises OSError."""
     size, digest = path.stat().st_size, hashlib.blake2b(digest_size=16)
     with path.open("rb") as file:
         digest.update(file.read(ENDS))

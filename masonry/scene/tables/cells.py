@@ -1,4 +1,4 @@
-"""What a scene says of a division into cells: how many or how large, what sizes, what seeds."""
+"""Division of a specimen into cells in a scene: their number or size, relative sizes, seeds."""
 
 from typing import Annotated, Any, Literal
 

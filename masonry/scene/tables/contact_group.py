@@ -1,4 +1,4 @@
-"""What a scene says of a group of contacts, and of the material of a group of blocks."""
+"""Tables of a scene for a group of contacts, and for the material of a group of blocks."""
 
 import math
 from itertools import pairwise

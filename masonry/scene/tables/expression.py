@@ -170,7 +170,7 @@ class _Reader:
         raise self.fail(f"expected a number or a name; {ALLOWED}")
 
     def inner(self) -> Term:
-        """What stands in parentheses."""
+        """Term in parentheses."""
         if not self.take("("):
             raise self.fail("expected '('")
         self.depth += 1

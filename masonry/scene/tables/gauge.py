@@ -1,4 +1,4 @@
-"""What a scene wants to have measured besides the drive, and how its curve is drawn."""
+"""Measurements that a scene asks for besides the drive, and the axes of its curve."""
 
 import re
 from pathlib import Path
@@ -85,7 +85,7 @@ def _several(value: Any) -> Any:
 
 
 class Curve(Table):
-    """What curve.png draws: a gauge, the displacement of the drive or the time across; stress or force, or over the
+    """Content of curve.png: a gauge, the displacement of the drive or the time across; stress or force, or over the
     time one gauge or several, up."""
 
     x: str = "displacement"

@@ -1,4 +1,4 @@
-"""What a scene says of weight that varies or turns, of blocks that start in motion, and of a floor below them."""
+"""Tables of a scene for weight that varies or turns, for blocks that start in motion, and for a floor below them."""
 
 from typing import Annotated, Any, Literal
 

@@ -1,4 +1,4 @@
-"""What a scene says of the load that `masonry limit` multiplies by a factor."""
+"""Table of a scene for the load that `masonry limit` multiplies by a factor."""
 
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -98,7 +98,7 @@ class LimitLoad(Table):
 
     @property
     def words(self) -> str:
-        """What the factor multiplies; of a drive and of a vehicle their own tables say it."""
+        """Load that the factor multiplies; of a drive and of a vehicle their own tables say it."""
         return {
             "weight": f"the weight along {self.direction}",
             "tilt": f"gravity turned about {self.about}: the factor is the tangent of the angle",

@@ -65,7 +65,7 @@ class Timed:
 
 
 def read(value: Any, kind: str) -> Any:
-    """What a file gives as a history of lengths ("length") or shares ("number"), checked: text, or tuples in SI."""
+    """History of lengths ("length") or shares ("number") as a file gives it, checked: text, or tuples in SI."""
     if value is None:
         return value
     if isinstance(value, str):

@@ -1,4 +1,4 @@
-"""What a scene says of its supports, its loading and the explicit solver."""
+"""Tables of a scene for its supports, its loading and the explicit solver."""
 
 from typing import Annotated, Any, Literal
 

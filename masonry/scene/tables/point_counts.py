@@ -1,4 +1,4 @@
-"""What a scene says of the number of contact points: along edges, on a face, or by their spacing."""
+"""Number of contact points in a scene: along edges, on a face, or by their spacing."""
 
 from typing import Annotated, Any, NamedTuple
 

@@ -1,4 +1,4 @@
-"""What a scene says of properties that differ from joint to joint, or from unit to unit."""
+"""Tables of a scene for properties that differ from joint to joint, or from unit to unit."""
 
 from typing import Any, ClassVar
 

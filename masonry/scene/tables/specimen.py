@@ -1,4 +1,4 @@
-"""What a scene says of its specimen: what is built, and of which size. Lengths in m, areas in m2."""
+"""Tables of a scene for its specimen: kind and size. Lengths in m, areas in m2."""
 
 from collections import Counter
 from pathlib import Path

@@ -47,7 +47,7 @@ PLANE = re.compile(r"\s*(blocks at\s+)?([xyz])\s*=\s*(\S.*)")
 
 
 class KeyedError(ValueError):
-    """What is wrong with one key of the table that is being checked."""
+    """Error in one key of the table that is being checked."""
 
     def __init__(self, key: str, message: str) -> None:
         super().__init__(message)
@@ -69,7 +69,7 @@ class Table(BaseModel):
 
 
 def unchanged(name: object) -> SceneError:
-    """What is said where somebody tries to change a scene."""
+    """Error where somebody tries to change a scene."""
     return SceneError(
         f"{name} cannot be changed: a scene stays as it is. scene.with_({{'contact.unit_unit.cohesion': '0.6 MPa'}}) "
         "gives another one, with other values of these keys"

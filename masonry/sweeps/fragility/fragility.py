@@ -1,4 +1,4 @@
-"""What falls at which intensity: shares with their bands, the lognormal curve through them, the measure.
+"""Share of falls by intensity: shares with their bands, the lognormal curve through them, the measure.
 
 A run has fallen where a block fell (`collapse` in its summary), or its measure reached the limit. One that was stopped,
 refused or lost before is left out, and counted.
@@ -70,7 +70,7 @@ class Fragility:
 
     @property
     def sentence(self) -> str:
-        """What came out, in a line."""
+        """Result, in a line."""
         runs = f"{int(self.fallen.sum())} of {len(self.fallen)} runs fell"
         left = f", {self.left_out} do not count" if self.left_out else ""
         if self.fit is None:

@@ -14,7 +14,7 @@ KEYS = ("intensity", "period", "measure", "limit", "confidence")
 
 @dataclass(frozen=True)
 class FragilityRequest:
-    """What is asked for.
+    """Request for a fragility curve.
 
     intensity   one of OF_MOTION, or a dotted key that the sweep varies
     period      s, of the pseudo-acceleration (damping 5 %)

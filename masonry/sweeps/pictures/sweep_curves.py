@@ -72,8 +72,8 @@ def curves_figure(folder: Path, title: str, planned: Sequence[Planned], rows: Se
 
 
 class ColourKey(NamedTuple):
-    """What colours show: in words, by run its value, which has a colour, and its name in the legend; no names where a
-    bar of colours takes the place of a legend."""
+    """Meaning of the colours: in words, by run its value, which has a colour, and its name in the legend; no names
+    where a bar of colours takes the place of a legend."""
 
     words: str
     values: list[Any]
@@ -132,7 +132,7 @@ FACTOR, KINETIC = _Axis("load_factor", "load factor", 1.0), _Axis("kinetic", "ki
 
 
 def _axes_of(run: Planned) -> tuple[_Axis, _Axis]:
-    """What is drawn against what: the stress of a drive over its displacement, the factor of a load that grows over the
+    """Axes of the curve of a run: the stress of a drive over its displacement, the factor of a load that grows over the
     first gauge; else the first gauge over time. Without gauges, steps and the kinetic energy take its place."""
     scene = tomllib.loads(run.job.resolved)
     gauges, shaken = scene.get("gauge", []), "ground" in scene

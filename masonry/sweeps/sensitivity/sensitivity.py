@@ -24,7 +24,7 @@ PICTURE, CSV = "sensitivity", "sensitivity.csv"
 
 @dataclass(frozen=True, repr=False)
 class Sensitivity:
-    """What came of a scene and its variants; it prints as `masonry sensitivity` does.
+    """Result of a scene and its variants; it prints as `masonry sensitivity` does.
 
     folder  of the runs, the table (sensitivity.csv, sensitivity.json) and the picture (sensitivity.png)
     rows    a dictionary for each run, the scene as it is first: see `study`

@@ -30,7 +30,7 @@ CRUSHING = "energy_j.crushing"
 
 @dataclass(frozen=True)
 class Figure:
-    """What is compared: its key, its name and unit for people, and the factor from SI."""
+    """Quantity that is compared: its key, its name and unit for people, and the factor from SI."""
 
     key: str
     name: str
@@ -98,7 +98,7 @@ def _trust(ended: Row, folder: Path) -> str:
 
 
 def word_of(row: Row) -> str:
-    """What became of a run, in a word: its verdict, or its status where it did not come to its end."""
+    """Outcome of a run, in a word: its verdict, or its status where it did not come to its end."""
     return str(row["verdict"] if row["status"] == OK else row["status"].lower())
 
 

@@ -53,7 +53,7 @@ def _percent(deviation: float) -> str:
 
 
 def sentence(rows: Sequence[Row]) -> str:
-    """What the answer rests on: of each figure the largest deviation, and of which variant."""
+    """Sensitivity of the answer in a sentence: of each figure the largest deviation, and of which variant."""
     base, others = rows[0], [row for row in rows[1:] if row["status"] == "OK"]
     lost = [row for row in rows[1:] if row["status"] != "OK"]
     if base["status"] != "OK":

@@ -82,7 +82,7 @@ def alone(findings: Findings) -> None:
 
 
 def closed_again(findings: Findings) -> None:
-    """What shear a torn contact bears at most under compression, short of the slip at which an intact one softens."""
+    """Largest shear of a torn contact under compression, short of the slip at which an intact one softens."""
     torn, s = 10 * UM, 0.5e6
     peak, residual = float(JOINT.peak(s)), float(JOINT.residual(s))
     fraction, z, slip = float(tension("linear", JOINT, torn)) / JOINT.fT, -s / JOINT.kn, 0.999 * peak / JOINT.ks

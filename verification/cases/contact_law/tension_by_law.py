@@ -44,7 +44,7 @@ BROKEN = 5 * UM
 
 
 class Softening(NamedTuple):
-    """What is known of a law by hand: work after the peak (J/m2) up to an opening (m), and how its stress falls first.
+    """Known values of a law, by hand: work after the peak (J/m2) up to an opening (m), and how its stress falls first.
 
     slope  Pa/m            third  third derivative of the envelope over its slope there, in (f_T/G)^2
     """

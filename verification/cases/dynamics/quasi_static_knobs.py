@@ -1,4 +1,4 @@
-"""What a quasi-static test must not feel: its rate, the density, the damping and the step.
+"""Independence of a quasi-static test from its rate, the density, the damping and the step.
 
 A wallette of two courses is pulled along its bed joints through its peak (the scene wallette-mode-1 of the paper, made
 smaller). Each knob is turned alone:

@@ -1,4 +1,4 @@
-"""What a run shows of itself: fields of a frame, areas of a summary, widths of cracks, against what they must be.
+"""Fields of a frame, areas of a summary, widths of cracks, as a run shows them, against what they must be.
 
     fields of a frame   a block that slid under compression: displacement of corners, opening -s/kn, slip u,
                         stresses -s and tau(u), damage 1 - exp(-(u - tau_m/ks) c0/G_II)

@@ -34,7 +34,7 @@ def pattern(**limit: Any) -> dict[str, Any]:
 
 
 def dilating(tangent: float) -> dict[str, Any]:
-    """What slides between units rises by its friction angle."""
+    """Keys of contacts between units that rise by their friction angle as they slide."""
     contact = {
         "tensile_strength": "0 Pa",
         "cohesion": "0 Pa",

@@ -58,7 +58,7 @@ def tilted(findings: Findings, points: str, share: float) -> float:
 
 
 def slowed(findings: Findings, points: str) -> float:
-    """What friction takes off a spin about the normal, over the closed form."""
+    """Loss of spin about the normal by friction, over the closed form."""
     result = findings.note(f"{points}, spinning", result_of(SCENE, {**TURNING, "specimen.patch_points": points}))
     mass = DENSITY * WIDE**3
     inertia = mass * WIDE**2 / 6.0

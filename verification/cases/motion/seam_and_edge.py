@@ -85,7 +85,7 @@ def no_blow(findings: Findings, flat: dict[str, object], limit: float) -> None:
 
 
 def leave_with_area(findings: Findings, limit: float) -> None:
-    """What is lost of the shear energy as the block slides off the edge upright, with two steps and two stiffnesses."""
+    """Loss of shear energy as the block slides off the edge upright, with two steps and two stiffnesses."""
     drive = {"on": "block", "direction": "x", "displacement": "180 mm", "rate": "0.5 m/s", "ramp": 0.1}
     upright = {"specimen.box": boxes(0.1), "support": supports("y", "rotation"), **KNOBS, "drive": drive}
     for word, ks, fraction in (("", 5.0, 0.8), (", half the step", 5.0, 0.4), (", a tenth of k", 0.5, 0.8)):

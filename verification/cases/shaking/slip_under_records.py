@@ -60,7 +60,7 @@ def recorded(name: str) -> dict[str, Any] | None:
 
 
 def motion_of(ground: dict[str, Any]) -> Motion:
-    """What the ground does along x."""
+    """Motion of the ground along x."""
     shaken = load(SCENE, {"ground": ground}).shaken
     assert shaken is not None
     return shaken.motions["x"]

@@ -50,7 +50,7 @@ def pattern_changes(done: Done) -> Claim:
 
 
 def tension_leads(done: Done) -> Claim:
-    """What broke the head joints of the stepped crack."""
+    """Failure mode of the head joints of the stepped crack."""
     opened = crack_of(done, label(ASSUMED, FREE)).opened
     return claim("In the stepped crack head joints fail by flexural tension", "7, Fig. 22a",
                  f"broken area of head joints that lost more by tension than by shear: > 90 %, {name_of(ASSUMED)}",
@@ -59,7 +59,7 @@ def tension_leads(done: Done) -> Claim:
 
 
 def rollers(done: Done) -> Claim:
-    """What the rollers carry at the end."""
+    """Force of the rollers at the end."""
     carried, rubbed = [], []
     for sigma in SCENES:
         force, shear, _ = _carried(done[label(ASSUMED, sigma)], "rollers_units")
@@ -74,7 +74,7 @@ def rollers(done: Done) -> Claim:
 
 
 def held_below(done: Done) -> Claim:
-    """What the plate under the wall carries at the end."""
+    """Stress and shear of the plate under the wall at the end."""
     force, shear, area = _carried(done[label(ASSUMED, PRESSED)], "plate")
     stress = -force / area
     return claim("With pre-compression the bottom is held in its direction, and in no other", "7",

@@ -1,1 +1,1 @@
-"""What the couplets of section 4 show: measures of their curves, and the claims held against them."""
+"""Results of the couplets of section 4: measures of their curves, and the claims held against them."""

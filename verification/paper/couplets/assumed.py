@@ -62,7 +62,7 @@ def moves(done: Done) -> dict[tuple[str, str, str], list[float]]:
 
 
 def claims(done: Done) -> list[Claim]:
-    """What Table 2 said cannot be decided; how much depends on it can."""
+    """Effect of what Table 2 said: the values cannot be decided, but how much depends on them can."""
     if label(*next(iter(VARIED)), LOW) not in done.runs:
         return []
     changes = moves(done).values()

@@ -1,4 +1,4 @@
-"""What the cells of a bed of mortar do to a couplet: their springs, size, seed and stiffness; uneven stress."""
+"""Effect of the cells of a bed of mortar on a couplet: their springs, size, seed and stiffness; uneven stress."""
 
 from verification.paper.couplets.laws import CONFINEMENTS, words
 from verification.paper.couplets.measures import Interfaces, initial_stiffness, interfaces, spread, work_to

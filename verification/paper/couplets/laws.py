@@ -122,7 +122,7 @@ def orders() -> list[Claim]:
 
 
 def envelope() -> Claim:
-    """What no one can check any more."""
+    """Claim on the envelope of the tests, which no one can check any more."""
     return claim("The curves lie within the envelope of three tests; exponential softening fits it best", "4, Fig. 6",
                  "distance from the curves of the tests",
                  "-",

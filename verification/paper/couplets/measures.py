@@ -1,4 +1,4 @@
-"""What is read off the curves of couplets: strength line, work, plateau, stiffness; and off a bed of mortar: cracks."""
+"""Measures of the curves of couplets: strength line, work, plateau, stiffness; and of a bed of mortar: cracks."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -100,7 +100,7 @@ def line(done: Done) -> Claim:
 
 
 def plateau_of_law(rows: Rows, compression: float) -> float:
-    """What the joint of Table 1 carries (Pa) over the same slips as `plateau` looks at: its tail is not over there."""
+    """Stress (Pa) carried by the joint of Table 1 over the slips of `plateau`: its tail is not over there."""
     u, _ = driven(rows)
     return mean_late(u, np.asarray(shear("exponential", Joint(), u, compression)))
 
@@ -134,7 +134,7 @@ def other_plateaus(done: Done) -> str:
 
 
 def behaviour() -> Claim:
-    """What no one can check any more."""
+    """Claim on the behaviour after the peak, which no one can check any more."""
     return claim("Good agreement of the meso-models with the tests in the post-peak behaviour", "4, Figs. 7 and 8",
                  "distance from the curves of the tests",
                  "-",

@@ -48,7 +48,7 @@ def fading_cohesion(joint: Joint, slip: float, compression: float) -> float:
 
 
 def misprints() -> list[Misprint]:
-    """What the printed lines come to, and what is built in their place."""
+    """Values of the printed lines, and the formulas built in their place."""
     low, high = Joint(beta=2.1), Joint(beta=2.9)
     pairs = ((low, SIGMA), (high, ANOTHER))
     energies = [float(mode_2_energy(s)) for s in (SIGMA, 0.5e6, ANOTHER)]

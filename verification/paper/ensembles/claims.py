@@ -1,4 +1,4 @@
-"""What the paper says of variation, held against walls whose properties scatter."""
+"""Claims of the paper on variation, held against walls whose properties scatter."""
 
 from collections.abc import Mapping
 

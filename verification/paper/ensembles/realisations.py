@@ -18,7 +18,7 @@ PATHS = ("stepped", "mixed", "straight")
 
 @dataclass(frozen=True)
 class Wall:
-    """What is kept of a run.
+    """Data kept of a run.
 
     peak         Pa
     stress       (POINTS,) Pa, at equal distances of the drive
@@ -99,7 +99,7 @@ def ensemble(done: Done, labels: Sequence[str]) -> Ensemble:
 
 
 def wall(result: Result, drive: np.ndarray) -> Wall:
-    """What is kept of a result; stress at places of the drive (m)."""
+    """Data kept of a result; stress at places of the drive (m)."""
     rows, frame, joints = result.history.rows, result.history.frames[-1], result.joints
     lines = crack_lines(joints, frame, front_view(result.specimen.blocks.points))
     unit = result.specimen.blocks.unit

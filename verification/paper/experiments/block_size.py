@@ -33,7 +33,7 @@ def seeds(quick: bool) -> range:
 
 
 def families(quick: bool) -> Iterator[Family]:
-    """What is looked at for every size and seed; plates that do not turn and the brittle law only in full."""
+    """Families of runs for every size and seed; plates that do not turn and the brittle law only in full."""
     yield Family(FIRST, MODE_1, pace_check=True)
     yield Family(SECOND, MODE_2, pace_check=True)
     if not quick:

@@ -33,7 +33,7 @@ INTRODUCTION = (
 
 
 def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]:
-    """What is varied in a scene, and what is not -> why. A quick look takes what needs no other step compiled."""
+    """Variations of a scene, and what is not varied -> why. A quick look takes what needs no other step compiled."""
     given, without = assumed(case)
     wanted = given if quick else [*given, *options(case)]
     if case in DEAR or quick:

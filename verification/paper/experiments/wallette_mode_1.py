@@ -111,7 +111,7 @@ def show(done: Done) -> Section:
 
 
 def claims(done: Done) -> list[Claim]:
-    """What section 5.1 says, and what is known beforehand."""
+    """Claims of section 5.1, and what is known beforehand."""
     shipped, hinge = done[SHIPPED], done[HINGE]
     peaks = {label: mpa(done[label]) for label in done.asked if done.has(label)}
     made = [*claims_on_the_crack(peaks, shipped, hinge), *dilation_claims(done), plates_claim(hinge, shipped, PLATES)]
@@ -127,7 +127,7 @@ def cutoffs() -> dict[str, str]:
 
 
 def cutoff_claim(done: Done) -> Claim:
-    """What depends on the slip at which dilation ends."""
+    """Effect of the slip at which dilation ends."""
     shown = [
         f"{name}: {mpa(done[label]):.4f}, {float(done[label].summary['final_stress_pa']) * MEGA:.4f} MPa"
         for name, label in cutoffs().items()
@@ -139,7 +139,7 @@ def cutoff_claim(done: Done) -> Claim:
 
 
 def dilation_claims(done: Done) -> list[Claim]:
-    """What the angle of dilation does before and after the peak, however the plates are held."""
+    """Effect of the angle of dilation before and after the peak, however the plates are held."""
     before, after = [], []
     for hinge in plates(done.quick):
         by_angle = [done[dilated(angle, hinge)] for angle in ANGLES]

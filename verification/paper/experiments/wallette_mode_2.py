@@ -68,7 +68,7 @@ def show(done: Done) -> Section:
 
 
 def claims(done: Done, second: list[str]) -> list[Claim]:
-    """What section 5.2 says."""
+    """Claims of section 5.2."""
     shipped, cells, first = done[SHIPPED], done[CELLS], done[FIRST]
     both = {SHIPPED: shipped, CELLS: cells}
     made = [peak_claim({label: mpa(done[label]) for label in second}), softening_claim(both, first)]

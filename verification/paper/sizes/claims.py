@@ -26,7 +26,7 @@ from verification.paper.walls.straight_crack import STRAIGHT
 
 
 def claims(families: Mapping[str, Results], quick: bool) -> list[Claim]:
-    """What section 6 and the conclusions say on size."""
+    """Claims of section 6 and the conclusions on size."""
     made = [curves_claim(families, FIRST, 0.05, "No response change in failure mode 1")]
     made.append(curves_claim(families, SECOND, 0.05, "Slightly different curves of the same trend in failure mode 2"))
     made += [pattern_claim(families), place_claim(families)]

@@ -1,4 +1,4 @@
-"""What the experiments on wallettes share: how their plates are held, a table of what runs came to, their pictures."""
+"""Common parts of the experiments on wallettes: how their plates are held, a table of run results, their pictures."""
 
 import math
 from collections.abc import Iterable
@@ -97,7 +97,7 @@ def rate_claim(shipped: Result, constant: Result, source: str) -> Claim:
 
 
 def plates_claim(hinge: Result, held: Result, why: str) -> Claim:
-    """What it matters whether the plates turn, which the paper does not say."""
+    """Effect of plates that turn or do not, which the paper does not give."""
     dissipated = [energy_per_section(r)["fracture"] for r in (hinge, held)]
     ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (hinge, held)]
     return claim("A displacement rate is set on one side of the wallette", "5",

@@ -115,7 +115,7 @@ def pattern_claim(name: str, series: Series) -> Claim:
 
 
 def tension_claim(walls: Mapping[str, Both]) -> Claim:
-    """What breaks the units of Fig. 19."""
+    """Failure mode of the units of Fig. 19."""
     fractions = {}
     for name, both in walls.items():
         crack = crack_path(both["GI"][2.5])

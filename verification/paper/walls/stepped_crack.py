@@ -22,7 +22,7 @@ BEDS = 3 * 125.0 / 492.0
 
 
 def claims(peaks: Mapping[str, float], shipped: Result, hinge: Result) -> list[Claim]:
-    """What section 5.1 says of the crack, and what is known of it beforehand; peaks in MPa by run."""
+    """Claims of section 5.1 on the crack, and what is known of it beforehand; peaks in MPa by run."""
     return [peak_claim(peaks), pattern_claim(shipped), units_claim(shipped), *residual_claims(shipped, hinge)]
 
 
@@ -63,7 +63,7 @@ def units_claim(result: Result) -> Claim:
 
 
 def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:
-    """What is carried at the end, and the energy that it took."""
+    """Stress carried at the end, and the energy that it took."""
     ends = [float(r.summary["final_stress_pa"]) * MEGA for r in (shipped, hinge)]
     sheared = [(c := crack_path(r)).stress_carried(c.bed) * MEGA for r in (shipped, hinge)]
     dissipated = [energy_per_section(r)["fracture"] for r in (shipped, hinge)]

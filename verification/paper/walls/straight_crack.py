@@ -28,7 +28,7 @@ def peak_claim(peaks: Mapping[str, float]) -> Claim:
 
 
 def path_claims(results: Mapping[str, Result]) -> list[Claim]:
-    """What the crack goes through, and where in its units."""
+    """Course of the crack through joints and units, and its place in the units."""
     fractions = {label: crack_path(r).fractions() for label, r in results.items()}
     spread = {label: crack_spread(r) for label, r in results.items()}
     off = {label: crack_path(r).off_mid_length() for label, r in results.items()}

@@ -1,4 +1,4 @@
-"""What a joint bears in compression, and the return to it: a cap (Lourenco and Rots 1997), or a plain cut-off.
+"""Strength of a joint in compression, and the return to it: a cap (Lourenco and Rots 1997), or a plain cut-off.
 
   cap      p^2 + Css t^2 = sb(k)^2 with p = max(-sigma, 0); closing and slip flow along its normal (p, Css t), and k is
            the length of that path; sb from fm/3 along a quarter of an ellipse to fm at kp, down a parabola to fm/2 at

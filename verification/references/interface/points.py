@@ -1,4 +1,4 @@
-"""What a joint answers at its points: secant damage in tension, Coulomb with plastic slip in shear, and its tangent.
+"""Stress of a joint at its points: secant damage in tension, Coulomb with plastic slip in shear, and its tangent.
 
 The definition, point by point. D = dt + ds - dt ds shared by both modes (1 - D = wn ws), or each mode its own:
   tension   wn = envelope at the largest opening so far, kappa;  sigma = wn ws (fT/kappa) e for e > 0, kn e for e < 0

@@ -161,7 +161,7 @@ def _times(wall: MeasuredWall, groups: Sequence[str], keys: tuple[str, ...], fac
 
 
 class WallForces(NamedTuple):
-    """What came of a wall: the largest force (kN), that of each variation by parameter, and why a run ended early."""
+    """Results of a wall: the largest force (kN), that of each variation by parameter, and why a run ended early."""
 
     peak: float
     varied: dict[str, list[float]]

@@ -1,1 +1,1 @@
-"""What was booked twice and must agree: energies, forces, what a law dissipates."""
+"""Quantities that were booked twice and must agree: energies, forces, what a law dissipates."""

@@ -14,7 +14,7 @@ TERMS = ("area", "redetection")
 
 
 def share(evidence: Evidence) -> float | None:
-    """What areas and re-detection changed, over the work; None where neither was measured."""
+    """Energy changed by areas and re-detection, over the work; None where neither was measured."""
     changes = [evidence.magnitude(f"energy_j.{key}") for key in TERMS]
     work = max(evidence.magnitude("energy_j.external_work") or 0.0, evidence.number("work_of_force_j") or 0.0)
     if changes == [None, None]:

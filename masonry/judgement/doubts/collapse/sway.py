@@ -13,7 +13,7 @@ SHARE = 0.5
 
 
 def sentence(evidence: Evidence, value: float) -> str:
-    """What fell has a factor, which may be too large."""
+    """Sentence on the motion before a fall, as the factor of what fell may be too large."""
     before = f"blocks moved by up to {value:.2g} of the smallest one"
     if evidence.falls:
         return f"{before} before it fell, but the balance is that of the shape as drawn, so the factor may be too large"

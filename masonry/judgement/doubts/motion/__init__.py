@@ -1,1 +1,1 @@
-"""What moves though it should rest or follow its drive, and what damping does to it."""
+"""Motion of a specimen that should rest or follow its drive, and the effect of damping on it."""

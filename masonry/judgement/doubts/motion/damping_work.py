@@ -14,7 +14,7 @@ TAKES, ADDS = 0.02, 0.01
 
 
 def gain(evidence: Evidence) -> float | None:
-    """What damping added, over the work."""
+    """Energy that damping added, over the work."""
     loss = evidence.number("damping_over_external")
     return None if loss is None else -loss
 

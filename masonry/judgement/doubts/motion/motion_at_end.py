@@ -16,7 +16,7 @@ TERMS = ("kinetic", "elastic_blocks", "elastic_contacts", *STORED_BY_ELEMENTS, "
 
 
 def is_asked(evidence: Evidence) -> bool:
-    """What is driven, moves in real time or fell need not rest; what had not settled was named already."""
+    """Whether rest is required: not if driven, in real time or fallen; what had not settled was named already."""
     if evidence.in_real_time or evidence.has_drive or evidence.falls or not rests(evidence):
         return False
     return not (UNBALANCED_BLOCK.doubt(evidence) or KINETIC_BLOCK.doubt(evidence))

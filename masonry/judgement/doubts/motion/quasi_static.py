@@ -18,6 +18,6 @@ def acts_slowly(key: str) -> Callable[[Evidence], bool]:
 
 
 def slower(evidence: Evidence) -> str:
-    """What makes a test slower, by what loads it."""
+    """Advice for a slower test, by what loads it."""
     how = "ask for a smaller accuracy, or lower the rate" if evidence.has_drive else "let its histories take longer"
     return f"load more slowly: {how}"

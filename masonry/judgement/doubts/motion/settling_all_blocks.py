@@ -14,8 +14,8 @@ ADVICE = "raise settle.steps, or leave [settle] out; if that does not help, {} c
 
 
 def is_asked(evidence: Evidence) -> bool:
-    """What moves in real time need not rest, unless the ground shakes it, as it is to stand before. Without loads
-    nothing settles."""
+    """Whether rest is required: not in real time, unless the ground shakes the specimen, as it is to stand before; nor
+    without loads, as nothing settles then."""
     falls = evidence.in_real_time and not evidence.table("shaking")
     return not falls and evidence.summary.get("work_of_loads_j") != {}
 

@@ -1,1 +1,1 @@
-"""What `masonry check` alone says of a scene: no doubts of a run, which sees for itself."""
+"""Remarks of `masonry check` alone on a scene: no doubts of a run, which sees for itself."""

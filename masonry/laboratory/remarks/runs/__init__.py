@@ -1,1 +1,1 @@
-"""What frames and rows of a run make doubtful, beyond the numbers of its summary: a file each."""
+"""Doubts from frames and rows of a run, beyond the numbers of its summary: a file each."""

@@ -45,7 +45,7 @@ class Stressed(NamedTuple):
     rest: float
 
     def since(self, earlier: "Stressed") -> "Stressed":
-        """What has changed; of the rest the least that it may store by itself."""
+        """Change since an earlier state; of the rest the least that it may store by itself."""
         rest = (np.sqrt(self.rest) - np.sqrt(earlier.rest)) ** 2
         return Stressed(self.tets - earlier.tets, self.normal - earlier.normal, self.shear - earlier.shear, float(rest))
 
@@ -105,7 +105,7 @@ def _friction_decides(inspection: Inspection) -> bool:
 
 
 class EnergyOfTets:
-    """What tets and contacts of an assembly store, by their stresses."""
+    """Energy stored in tets and contacts of an assembly, by their stresses."""
 
     def __init__(self, assembly: Assembly, mesh: TetMesh) -> None:
         self.assembly, self.mesh = assembly, mesh

@@ -105,7 +105,7 @@ def _shares(gave: np.ndarray, now: Look, later: Look) -> tuple[np.ndarray, np.nd
 
 
 def _carried(one: Borne, borne: float) -> float:
-    """What a joint carries at the peak over what it would, as a stress spread over it.
+    """Ratio of the load of a joint at the peak to that of a stress spread over it.
 
     That lies between what its points bear at most and the moment that they have then, as not all joints bear most at
     the same time; of a joint that is whole it is this moment.
@@ -139,7 +139,7 @@ def _size(off: float) -> str:
 
 
 def _advice(inspection: Inspection, bears: list[tuple[int, Borne]], limit: float) -> str:
-    """What makes the same estimate small enough."""
+    """Advice that makes the same estimate small enough."""
     assembly, joints = inspection.assembly, inspection.assembly.joints
     if any((joints.node_a[one.contacts] >= 0).any() or (joints.node_b[one.contacts] >= 0).any() for _, one in bears):
         return "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"

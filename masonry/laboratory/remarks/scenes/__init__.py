@@ -1,1 +1,1 @@
-"""What a scene makes doubtful before it runs: a file each, which `masonry check` and a run both ask."""
+"""Doubts about a scene before it runs: a file each, which `masonry check` and a run both ask."""

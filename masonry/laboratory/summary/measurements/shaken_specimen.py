@@ -1,4 +1,4 @@
-"""What the ground did, and what it did to the specimen: gauges, uplift, the largest force, the energy that came in."""
+"""Motion of the ground, and its effect on the specimen: gauges, uplift, the largest force, the energy that came in."""
 
 import numpy as np
 

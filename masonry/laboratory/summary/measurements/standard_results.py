@@ -1,4 +1,4 @@
-"""What a test by a standard reports, where the scene names one."""
+"""Results of a test by a standard, where the scene names one."""
 
 from masonry.assembly.assemble import Assembly
 from masonry.results.records.laboratory_record import StandardResults

@@ -1,1 +1,1 @@
-"""What a scene says of motion in real time: the ground that shakes it."""
+"""Tables of a scene for motion in real time: the ground that shakes it."""

@@ -1,4 +1,4 @@
-"""What a scene says of masses that are added to its blocks: floors, roofs, bells, what stands on a shaking table."""
+"""Table of a scene for masses that are added to its blocks: floors, roofs, bells, what stands on a shaking table."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""What a scene says of the ground that moves: a record or a formula, one to three components, scaled, and from when."""
+"""Table of a scene for the ground that moves: a record or a formula, one to three components, scaled, and from when."""
 
 from functools import lru_cache
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a scene, or the command `masonry record`, says of a record that is made by seed."""
+"""Table of a scene, or of the command `masonry record`, for a record that is made by seed."""
 
 from typing import Annotated, Any, Literal
 
@@ -96,7 +96,7 @@ class MadeGround(Table):
 
     @property
     def recipe(self) -> Recipe:
-        """What a record is made from, in SI."""
+        """Parameters from which the record is made, in SI."""
         rise = 0.15 * self.duration if self.rise is None else self.rise
         strong = 0.4 * self.duration if self.strong is None else self.strong
         longest = min(4.0, 0.2 * self.duration) if self.longest is None else self.longest

@@ -1,4 +1,4 @@
-"""What a scene says of faces at which waves leave, and of a wave that comes in through them."""
+"""Tables of a scene for faces at which waves leave, and for a wave that comes in through them."""
 
 from typing import Annotated, ClassVar
 

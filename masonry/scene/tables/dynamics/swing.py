@@ -1,4 +1,4 @@
-"""What a scene says of damping after its dead loads have settled: none, of the mass, of the stiffness of contacts."""
+"""Table of a scene for damping after its dead loads have settled: none, of the mass, of the stiffness of contacts."""
 
 from math import pi
 from typing import Annotated, Any
@@ -78,7 +78,7 @@ class FrequencyBand(Table):
 
 
 class DampingTable(Table):
-    """What damps once the dead loads have settled; an empty table stands for nothing.
+    """Damping once the dead loads have settled; an empty table stands for none.
 
     mass       a0 (1/s) of Rayleigh's damping: a force of -a0 m v
     stiffness  a1 (s): dashpots of a1 times the stiffness of the closed contacts

@@ -1,1 +1,1 @@
-"""What a scene says of the road over a structure: what drives on it."""
+"""Tables of a scene for the road over a structure: what drives on it."""

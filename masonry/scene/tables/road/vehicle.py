@@ -1,4 +1,4 @@
-"""What a scene says of a vehicle on a road above the structure."""
+"""Table of a scene for a vehicle on a road above the structure."""
 
 from typing import Annotated, Literal
 
@@ -64,7 +64,7 @@ class Vehicle(Table):
 
     @property
     def words(self) -> str:
-        """What presses, and where it stands, if it does."""
+        """Pressing load in words, and where it stands, if it does."""
         return self.words_with([1.0] * len(self.axles))
 
     def words_with(self, shares: list[float]) -> str:

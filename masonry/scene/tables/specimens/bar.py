@@ -1,4 +1,4 @@
-"""What a scene says of bars: ties, anchors and struts between two points of its blocks."""
+"""Table of a scene for bars: ties, anchors and struts between two points of its blocks."""
 
 from math import dist
 from typing import Annotated, Literal

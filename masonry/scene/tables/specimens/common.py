@@ -1,4 +1,4 @@
-"""What the tables of all specimens have, and how their units are divided."""
+"""Common keys of the tables of all specimens, and the division of their units."""
 
 from typing import Any, Literal
 
@@ -34,7 +34,7 @@ class SlabTable(Table):
 
 
 class SpecimenTable(Table):
-    """What all specimens have; `section`, if given, takes the place of the specimen's own."""
+    """Keys of all specimens; `section`, if given, takes the place of the specimen's own."""
 
     kind: str
     section: Area | None = None

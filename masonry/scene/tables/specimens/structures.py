@@ -1,4 +1,4 @@
-"""What a scene says of a structure that people build. Lengths in m."""
+"""Tables of a scene for structures that people build. Lengths in m."""
 
 from collections import Counter
 from typing import Annotated, Literal
@@ -109,7 +109,7 @@ class BridgeArchTable(Table):
 
 
 class PierTable(Table):
-    """What two arches of a bridge spring from; `geometry.structures.bridge.Pier`."""
+    """Pier from which two arches of a bridge spring; `geometry.structures.bridge.Pier`."""
 
     width: Length
     height: Length
