@@ -9,7 +9,7 @@ import ast
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -18,7 +18,9 @@ COMPILED = ("kernels", "patches", "laws", "simd", "kinematics", "detection")
 """Rooms of `masonry` whose functions are compiled: their length is no sign of how they read."""
 KINDS = {"rigid", "affine", "tets", "turning", "deforming", "deforming_tets", "small", "large"}
 """Words for how a block deforms and how far it moves."""
-DIALECT = ("found", "kept", "held", "given", "told", "asked", "anew")
+PARTICIPLES = {"found", "kept", "held", "given", "told", "asked", "anew"}
+QUANTIFIERS = {"one", "least", "most", "own", "left", "off", "share", "wanted", "beyond", "much"}
+"""Words that say how much of what, in place of ratio, excess, error, minimum, maximum, remaining."""
 
 
 class Source:
@@ -141,9 +143,8 @@ def repeated_files(source: Source) -> dict[str, int]:
     return {name: count for name, count in sorted(names.items()) if count > 1}
 
 
-def dialect(source: Source) -> int:
-    """Lines of code that use a past participle alone as a name, docstrings and words of messages apart."""
-    names = set(DIALECT)
+def lines_with_names(source: Source, names: Collection[str]) -> int:
+    """Lines of code that use one of these words alone as a name, docstrings and words of messages apart."""
     places = set()
     for path, tree in source.trees.items():
         for node in ast.walk(tree):
@@ -194,7 +195,11 @@ COUNTS: dict[str, Callable[[Source], int]] = {
     "lines with `found`, tests included": lambda s: sum(
         len(lines_that_match(s, r"\bfound\b", package)) for package in (*PRODUCT, "tests")
     ),
-    "lines that name something by a participle alone": dialect,
+    "lines that name something by a participle alone": lambda s: lines_with_names(s, PARTICIPLES),
+    "lines that name a number by how much it is": lambda s: lines_with_names(s, QUANTIFIERS),
+    "docstrings that begin with What": lambda s: sum(
+        len(lines_that_match(s, r'^\s*"""What\b', package)) for package in PRODUCT
+    ),
     "lines of masonry that ask whether there are bars": lambda s: len(lines_that_match(s, r"\bbars is (not )?None")),
     "files of masonry that name bars": lambda s: _files(naming_bars(s)),
     "fields of a model": lambda s: fields_of(s, "Model"),
