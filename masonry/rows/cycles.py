@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.rows.columns import FACTOR, dissipated_in
-from masonry.rows.peak import turns_back
+from masonry.rows.peak import borne, turns_back
 
 HOME = 1e-9
 """Fraction of the farthest travel within which the drive, or the factor of a load, counts as back at its start."""
@@ -64,7 +64,7 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
                 **{f"{key}_j": value for key, value in dissipated.items()},
                 "external_work_j": _between(rows["external_work"], begin, end),
                 **(
-                    _of_drive(place[inner], rows["stress"][inner])
+                    _of_drive(place[inner], rows["stress"][inner], borne(rows, "stress")[inner])
                     if gauge is None
                     else _of_load(place[inner], rows[gauge][inner], _at(rows[gauge], end))
                 ),
@@ -75,12 +75,12 @@ def table(rows: dict[str, np.ndarray], widest: np.ndarray, gauge: str | None = N
     return cycles
 
 
-def _of_drive(place: np.ndarray, stress: np.ndarray) -> dict[str, float | None]:
-    """Stresses, places and stiffness met by the drive in the rows of a cycle."""
+def _of_drive(place: np.ndarray, stress: np.ndarray, at_rest: np.ndarray) -> dict[str, float | None]:
+    """Stresses, places and stiffness met by the drive in the rows of a cycle; at_rest (n,) Pa, so much as is borne."""
     far, near = int(np.argmax(place)), int(np.argmin(place))
     return {
-        "highest_stress_pa": float(stress.max()),
-        "lowest_stress_pa": float(stress.min()),
+        "highest_stress_pa": float(at_rest.max()),
+        "lowest_stress_pa": float(at_rest.min()),
         "farthest_m": float(place[far]),
         "farthest_back_m": float(place[near]),
         "stiffness_pa_per_m": _slope(stress[far] - stress[near], place[far] - place[near]),

@@ -29,11 +29,11 @@ class AroundPeak(Remembering):
 
     def strikes(self, place: np.ndarray, force: np.ndarray, highest: int, peak: float) -> bool:
         """Whether the highest of the forces (n,) N of the next steps, at places (n,) m, is a blow above such a peak
-        (N)."""
+        (N); none is where nothing was borne before."""
         before = np.flatnonzero(force[:highest] < BORNE * peak)
         begins = place[before[-1]] if len(before) else self.rises
         way, through = abs(float(place[highest])), abs(float(place[highest] - begins))
-        struck = bool(force[highest] > peak and through < THROUGH * way)
+        struck = bool(force[highest] > peak > 0.0 and through < THROUGH * way)
         if force[highest] > peak and not struck:
             peak, self.through = float(force[highest]), through / way if way else 1.0
         low = np.flatnonzero(force < BORNE * peak)

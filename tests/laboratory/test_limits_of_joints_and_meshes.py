@@ -69,14 +69,14 @@ def test_closed_joints_may_bend_too_stiffly_or_too_softly_by_the_accuracy(share,
 @pytest.mark.parametrize(
     ("accuracy", "rubs", "twists", "few", "told"),
     [
-        (0.0297, 0.101, 0.00101, True, True),
-        (0.0303, 0.101, 0.00101, True, False),
-        (0.0297, 0.099, 0.00101, True, False),
-        (0.0297, 0.101, 0.00099, True, False),
-        (0.0297, 0.101, 0.00101, False, False),
+        (0.0198, 0.101, 0.00101, True, True),
+        (0.0202, 0.101, 0.00101, True, False),
+        (0.0198, 0.099, 0.00101, True, False),
+        (0.0198, 0.101, 0.00099, True, False),
+        (0.0198, 0.101, 0.00101, False, False),
     ],
 )
-def test_a_strength_that_dry_joints_with_points_at_their_corners_bear_by_friction_may_be_off_by_three_per_cent(
+def test_a_strength_that_dry_joints_with_points_at_their_corners_bear_by_friction_may_be_off_by_two_per_cent(
     accuracy, rubs, twists, few, told, monkeypatch
 ):
     """Shares of friction and of twists in the work of 1 J; a triangle beside a square and one of more points."""
@@ -153,7 +153,7 @@ def test_a_block_is_asked_alone_that_stores_a_hundredth_with_half_of_the_joints_
 
 def bearing(ratio: float, monkeypatch, accuracy: float) -> list:
     """What is told where the strength is so many times what it should be."""
-    one = SimpleNamespace(shares=np.array([0.3, 0.7]), in_plane=True, gave=True, by=lambda point, area: 1.2)
+    one = SimpleNamespace(shares=np.array([0.3, 0.7]), in_plane=True, gave=True, at=None, by=lambda point, area: 1.2)
     monkeypatch.setattr(few_points, "_that_matter", lambda inspection: [(0, one)])
     monkeypatch.setattr(few_points, "own_points", lambda *_: (np.zeros((1, 3)), np.ones(1)))
     monkeypatch.setattr(few_points, "_carried", lambda one, borne: borne)

@@ -5,7 +5,7 @@ Exit codes: 0 written, 2 something wrong with the words or the folder, 130 inter
 
 from pathlib import Path
 
-from masonry.cli.commands.scene_commands.picture_command import VIEWS, scale
+from masonry.cli.commands.picture_command import VIEWS, scale
 from masonry.errors import visible
 from masonry.runtime.named_file import require_free
 from masonry.runtime.shell import OK, Parser
