@@ -50,6 +50,8 @@ FEWER, MORE, FEWER_PRESCRIBED, MORE_PRESCRIBED = 0.35, 1.8, 0.7, 1.4
 """Times as many in single cases."""
 ACROSS = 0.999
 """Least cosine between a drive and the normal of a joint that lies across it."""
+ROUNDING = 1e-12
+"""Of the energy stored: what inertia takes over an increment is less where nothing resists the drive."""
 SOONER, LATER = 0.35, 2.3
 """Of the steps that are left by the root of the path: those in nine of ten cases, as cracks come early or late."""
 
@@ -285,8 +287,10 @@ class AdaptiveLoading(Loading):
             if self.model.dry:
                 self.dry.see(row.force, self.guide.trust)
                 factor = min(factor, self.dry.factor(rise / last.most_force, self.bounds.unit))
-            taken = self.increments.borne.taken() / last.most_force
-            factor = min(factor, max(settings.inertia * self.bounds.unit / max(taken, 1e-12), settings.slower))
+            taken = last.borne.taken()
+            if taken * last.made > ROUNDING * row.stored:
+                ratio = max(taken / last.most_force, 1e-12)
+                factor = min(factor, max(settings.inertia * self.bounds.unit / ratio, settings.slower))
         follows = approach.elastic or self.guide.trust > settings.unexpected
         follows = follows or abs(row.kinetic) <= settings.rest.energy * row.stored
         self.pause.follow(follows, waits=self.speed.now * self.speed.steps * self.model.dt < self.path.left)

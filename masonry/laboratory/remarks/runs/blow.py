@@ -21,9 +21,9 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     highest = float(rows["stress"][after].max(initial=0.0))
     how_hard = "how hard blocks strike depends on the stiffness of their contacts"
     if outcome.blow > outcome.peak_force > 0.0 and outcome.found.get("collapse") is None:
-        ratio = outcome.blow / outcome.peak_force
         struck = f"a blow of {1e-6 * outcome.blow / section:.4g} MPa is not counted for the peak: {how_hard}"
-        return [Doubt("blow", ratio, 1.0, struck, "look at the curve and the movie for what struck the drive")]
+        above = outcome.blow / outcome.peak_force
+        return [Doubt("blow", above, 1.0, struck, "look at the curve and the movie for what struck the drive")]
     shown = outcome.peak_force <= LIMIT * highest * section or not outcome.displacement_at_peak
     if shown or outcome.borne_through >= THROUGH:
         return []
