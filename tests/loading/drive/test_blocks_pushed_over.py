@@ -119,12 +119,15 @@ def test_the_peak_is_what_is_borne_to_the_accuracy(name):
 
 
 def test_a_flat_block_that_damping_holds_up_as_it_turns_bears_no_more_by_that():
-    """Soft in shear: 3.3 % more, in rows on end, as it hardly moved while the drive went on."""
+    """Soft in shear: 3.3 % more, in rows on end, as it hardly moved while the drive went on. It leaps, and by which of
+    its last digits it does, 0.002 to 1.25 % more are left, which are told."""
     stack = {"blocks": [(0.0, 0.57, 0.28)], "points": 3, "rule": "vertex", "stiffness": 1.3e10, "shear": 0.033}
     stack |= {"friction": 4.0, "pressure": 43610.0}
     result = laboratory.run(scene(accuracy=0.01, way=1.9e-3, **stack))
     assert result.history.rows["force"].max() > 1.03 * borne(**stack)
-    assert result.summary["peak_force_n"] == pytest.approx(borne(**stack), rel=0.01)
+    off = result.summary["peak_force_n"] / borne(**stack) - 1.0
+    assert -0.01 < off < 0.02
+    assert off < 0.01 or not trust(result.summary).startswith("sound")
 
 
 def test_pushed_to_and_fro_it_bears_as_much_at_either_turn_as_its_weight_holds_it_back_with():
