@@ -3,9 +3,10 @@
 Exit codes: 0 done, 2 something wrong with the scene or the words, 3 stopped because the numbers could no longer be
 trusted, 130 interrupted, 143 terminated, 129 hung up. Nothing that computes is imported before it is needed.
 
-`masonry verify` and `masonry paper` stand on a floor above this one, `masonry sweep` and `masonry sensitivity` in rooms
-of their own. Their modules are known here by name alone, and looked up when the command is called: an entry point would
-do the same, but be found only after reinstalling, and cost each other command a search through all that is installed.
+Most commands with words of their own stand in `masonry/cli/commands`, `masonry verify` and `masonry paper` on a floor
+above this one. Their modules are known here by name alone, and looked up when the command is called: an entry point
+would do the same, but be found only after reinstalling, and cost each other command a search through all that is
+installed.
 """
 
 import argparse
@@ -35,41 +36,24 @@ from masonry.runtime.shell import (
     let_go_of_output,
 )
 
-HERE = "masonry.cli.commands"
 APART = {
-    "picture": (
-        f"{HERE}.picture_command",
-        "draw the cracks of results at a moment, or the specimen of a scene",
-    ),
-    "movie": (f"{HERE}.movie_command", "make a movie of a folder of results: cracks beside the curve"),
-    "report": (f"{HERE}.report_command", "write a folder of results as one page, for others to read"),
-    "spectrum": (
-        f"{HERE}.spectrum_command",
-        "response spectra of the ground and of gauges of a folder of results",
-    ),
-    "limit": (
-        f"{HERE}.limit_command",
-        "the largest factor of a load that a scene bears, by limit analysis",
-    ),
-    "modes": (f"{HERE}.modes_command", "frequencies, shapes and effective masses of a scene"),
-    "law": (f"{HERE}.law_command", "which laws there are, and what one of them does"),
-    "contact": (
-        f"{HERE}.contact_command",
-        "the contact table of a scene from moduli, tests or Eurocode 6",
-    ),
-    "record": (
-        f"{HERE}.record_command",
-        "make a record of the ground by seed, of a stated spectrum, as CSV",
-    ),
-    "sweep": (f"{HERE}.sweep_command", "run a scene many times over: grid, list or Latin hypercube"),
-    "sensitivity": (
-        f"{HERE}.study_command",
-        "run a scene in several ways: what does the answer depend on?",
-    ),
-    "verify": ("verification.command", "run cases with known answers, and compare"),
-    "paper": ("verification.paper.command", "run the reference paper again: every figure and every claim"),
+    "picture": "draw the cracks of results at a moment, or the specimen of a scene",
+    "movie": "make a movie of a folder of results: cracks beside the curve",
+    "report": "write a folder of results as one page, for others to read",
+    "spectrum": "response spectra of the ground and of gauges of a folder of results",
+    "limit": "the largest factor of a load that a scene bears, by limit analysis",
+    "modes": "frequencies, shapes and effective masses of a scene",
+    "law": "which laws there are, and what one of them does",
+    "contact": "the contact table of a scene from moduli, tests or Eurocode 6",
+    "record": "make a record of the ground by seed, of a stated spectrum, as CSV",
+    "sweep": "run a scene many times over: grid, list or Latin hypercube",
+    "sensitivity": "run a scene in several ways: what does the answer depend on?",
+    "verify": "run cases with known answers, and compare",
+    "paper": "run the reference paper again: every figure and every claim",
 }
-"""Commands with words of their own: module with a `main` that takes the words after the command, and help."""
+"""Commands with words of their own, and their help: `main` of a module takes the words after the command."""
+OF_VERIFICATION = {"verify": "verification.command", "paper": "verification.paper.command"}
+"""The modules of those that are none of masonry/cli/commands."""
 
 
 def parser() -> Parser:
@@ -105,7 +89,7 @@ def parser() -> Parser:
     plot.add_argument("folder", type=Path, metavar="DIR")
     add_format(plot)
     plot.set_defaults(action=scene_commands.plot_results)
-    for name, (_, words) in APART.items():
+    for name, words in APART.items():
         added.add_parser(name, help=words, add_help=False)
     doctor = added.add_parser("doctor", help="check whether this machine has what a run needs, and computes correctly")
     doctor.add_argument("--quick", action="store_true", help="leave out the self-test, which takes ten seconds")
@@ -232,7 +216,7 @@ def _act(arguments: list[str] | None) -> int:
 
 def _apart(command: str) -> Any:
     """The module of a command that is not made here."""
-    module = APART[command][0]
+    module = OF_VERIFICATION.get(command, f"masonry.cli.commands.{command}_command")
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:

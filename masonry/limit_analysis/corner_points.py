@@ -5,7 +5,7 @@ with three points along each edge as well, which have the second moments of a jo
 
 from masonry.assembly.assemble import joined
 from masonry.limit_analysis.contact_strengths import contacts_of, mean_stiffness
-from masonry.limit_analysis.element_limits import limit_elements, with_elements
+from masonry.limit_analysis.element_limits import with_elements
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.limit_analysis.limit_loads import Loads
 from masonry.scene.tables.point_counts import PerAxis
@@ -51,7 +51,7 @@ def say_of_corners(result: LimitData, loads: Loads, method: Method, factor: floa
         return
     contacts = contacts_of(scene, blocks, joints, strength)
     stiffness = mean_stiffness(scene, blocks, joints)
-    contacts = with_elements(contacts, limit_elements(loads.elements), loads.bodies, stiffness)
+    contacts = with_elements(contacts, result.elements, loads.bodies, stiffness)
     three = followed(loads, contacts, method).solution
     more = three.factor / factor - 1.0 if three.status == "solved" and factor > 0.0 else 0.0
     if abs(more) > TOLD:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, fields
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from masonry.model.element_plan import ElementPlan, Ends, Site, Springs
 from masonry.model.layout import Layout
 from masonry.model.stable_step import Side
 from masonry.rows.columns import ELASTIC_BARS, PLASTIC_BARS
+
+WRITTEN = Bars._fields[Bars._fields.index("force") :]
+"""Of Bars, the fields that steps write."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,12 @@ class BarPlaces(ElementPlan):
         return np.asarray((self.block < 0).any(axis=1))
 
     @property
+    def ends_on_blocks(self) -> tuple[np.ndarray, np.ndarray]:
+        """Bar (E,) and number (E,), 0 or 1, of each end that a block holds."""
+        bar, end = np.nonzero(self.block >= 0)
+        return bar, end
+
+    @property
     def taut(self) -> "BarPlaces":
         """Those that bear as soon as their ends part; the columns are left out."""
         which = self.slack == 0.0
@@ -67,7 +76,7 @@ class BarPlaces(ElementPlan):
 
     def ends(self, layout: Layout, length: np.ndarray) -> Ends:
         """The ends that blocks hold; length (B, 3) m of all blocks, as of stable_step.lengths."""
-        bar, end = np.nonzero(self.block >= 0)
+        bar, end = self.ends_on_blocks
         block, point = self.block[bar, end], self.point[bar, end]
         axes = layout.axes[block]
         side = Side(
@@ -114,20 +123,6 @@ class BarPlaces(ElementPlan):
         return BarElement(self, site)
 
 
-class WrittenOfBars(NamedTuple):
-    """Of Bars, what steps write."""
-
-    force: np.ndarray
-    tension: np.ndarray
-    elongation: np.ndarray
-    plastic: np.ndarray
-    tightened: np.ndarray
-    plastic_work: np.ndarray
-    tightening: np.ndarray
-    peak: np.ndarray
-    trough: np.ndarray
-
-
 class BarElement(Element):
     """The bars of a model."""
 
@@ -156,7 +151,7 @@ class BarElement(Element):
 
     def acting(self) -> Acting:
         places, bars = self.places, self.bars
-        bar, end = np.nonzero(places.block >= 0)
+        bar, end = places.ends_on_blocks
         force = np.where(end == 0, 1.0, -1.0)[:, None] * bars.force[bars.first + bar]
         place = places.point[bar, end]
         return Acting(places.block[bar, end], force, place + self.u[bars.sides[bar, end]] if self.turns else place)
@@ -164,12 +159,12 @@ class BarElement(Element):
     def of_environment(self, parts: Iterable[Any]) -> np.ndarray:
         """(6,) N and N m, of bars whose other ends stay in space."""
         acting, places = self.acting(), self.places
-        alone = places.ends_in_space[np.nonzero(places.block >= 0)[0]]
+        alone = places.ends_in_space[places.ends_on_blocks[0]]
         force, moment = acting.force[alone], np.cross(acting.place[alone], acting.force[alone])
         return np.concatenate([force.sum(axis=0), moment.sum(axis=0)])
 
     def stiffness(self) -> tuple[np.ndarray, np.ndarray]:
-        bar, end = np.nonzero(self.places.block >= 0)
+        bar, end = self.places.ends_on_blocks
         return self.places.block[bar, end], self.places.stiffness[bar]
 
     def links(self) -> np.ndarray:
@@ -213,7 +208,7 @@ class BarElement(Element):
         }
 
     def written(self) -> dict[str, np.ndarray]:
-        return {field: getattr(self.bars, field) for field in WrittenOfBars._fields}
+        return {field: getattr(self.bars, field) for field in WRITTEN}
 
     def constants(self) -> tuple[Any, ...]:
         return self.bars
