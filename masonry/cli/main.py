@@ -203,7 +203,7 @@ def _act(arguments: list[str] | None) -> int:
     with ended_by_signals() as command:
         try:
             if argv and argv[0] in APART:
-                return int(_apart(argv[0]).main(argv[1:]))
+                return int(module_of(argv[0]).main(argv[1:]))
             words = parser().parse_args(argv)
             return int(words.action(words))
         except BaseException as error:
@@ -214,7 +214,7 @@ def _act(arguments: list[str] | None) -> int:
             raise
 
 
-def _apart(command: str) -> Any:
+def module_of(command: str) -> Any:
     """The module of a command that is not made here."""
     module = OF_VERIFICATION.get(command, f"masonry.cli.commands.{command}_command")
     try:

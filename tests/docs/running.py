@@ -9,7 +9,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from masonry.cli.main import APART, main, parser
+from masonry.cli.main import APART, main, module_of, parser
 from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.sweeps.planned_runs import plan
@@ -91,7 +91,7 @@ class Reader:
             code = main(words[1:])
             assert code == block.code, f"{where}: '{line}' ended with exit code {code}"
         elif words[1] in APART:
-            _own_parser(words[1]).parse_args(words[2:])
+            module_of(words[1]).parser().parse_args(words[2:])
         else:
             parser().parse_args(words[1:])
 
@@ -125,9 +125,3 @@ class Reader:
             json.loads(block.text)
         except ValueError as error:
             raise AssertionError(f"{where}: {error}") from None
-
-
-def _own_parser(command: str) -> Any:
-    from importlib import import_module
-
-    return import_module(APART[command][0]).parser()
