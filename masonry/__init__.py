@@ -19,6 +19,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from masonry.shell_functions import (
+    converge as converge,
+)
+from masonry.shell_functions import (
     export as export,
 )
 from masonry.shell_functions import (

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from masonry.importing.report import ImportReport
     from masonry.laboratory.result import Result
     from masonry.scene import Scene
+    from masonry.sweeps.convergence.convergence import Convergence
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
@@ -74,6 +75,40 @@ def write_blocks(
     from masonry.importing.block_writing import write_blocks as write
 
     return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
+
+
+def converge(
+    scene: "SceneLike",
+    out: str | Path | None = None,
+    of: Sequence[str] = (),
+    to: str | float | None = None,
+    workers: int | None = None,
+    tell: Callable[[str], None] | None = None,
+    form: str = "png",
+) -> "Convergence":
+    """Refine a scene: how far are its numbers from what the same model gives when it is refined without end?
+
+    scene    a scene, a file of one, the name of a packaged one, or a dictionary
+    out      folder of results; without it the next free results/SCENE-convergence-N
+    of       numbers of summary.json by dotted name; peak, displacement there and so on where none is named
+    to       an error, "1 %" or 0.01: settings whose numbers have no larger one are chosen as well
+    workers  processes (default: all processors); tell is called with a line for each run that ends
+    form     of the picture: "png", "pdf" or "svg"
+    What comes back prints as `masonry converge` does; `.errors` has value, limit, error and the half_width of the 95 %
+    interval of each number. Raises SceneError or GeometryError before anything runs.
+
+    >>> scene = masonry.load("couplet", {"confinement": "0.1 MPa"})
+    >>> dissipated = masonry.converge(scene, of=["energy_j.friction"], workers=1).errors[0]
+    >>> dissipated.at_most < 0.01 * dissipated.value
+    True
+    """
+    from masonry.importing.handed_blocks import scene_of
+    from masonry.laboratory.arguments import called, path, whole, words
+    from masonry.sweeps.convergence.convergence import converge as refine
+
+    folder = None if out is None else path("out", out)
+    workers = None if workers is None else whole("workers", workers, 1, 10_000)
+    return refine(scene_of(scene), folder, words("of", of), to, None, workers, called("tell", tell, None), form=form)
 
 
 def export(scene: "SceneLike", to: str | Path, overwrite: bool = False) -> Path:

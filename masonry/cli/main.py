@@ -48,6 +48,7 @@ APART = {
     "record": "make a record of the ground by seed, of a stated spectrum, as CSV",
     "sweep": "run a scene many times over: grid, list or Latin hypercube",
     "sensitivity": "run a scene in several ways: what does the answer depend on?",
+    "converge": "refine a scene: how far are its numbers from those without end?",
     "verify": "run cases with known answers, and compare",
     "paper": "run the reference paper again: every figure and every claim",
 }

@@ -164,8 +164,8 @@ def planned_of(sweep: Sweep) -> "tuple[FragilityRequest | None, list[Planned]]":
     if FRAGILITY not in sweep.raw:
         return None, plan(sweep)
     from masonry.sweeps.fragility.intensity import intensities
-    from masonry.sweeps.fragility.measured_number import require_measure
     from masonry.sweeps.fragility.request import read_request
+    from masonry.sweeps.measured_number import require_measure
 
     varied = [key for part, keys in sweep.keys_by_part.items() if part != "[settings]" for key in keys]
     request, planned = read_request(sweep.raw[FRAGILITY], f"{sweep.name}: {FRAGILITY}", varied), plan(sweep)

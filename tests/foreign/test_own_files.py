@@ -38,7 +38,7 @@ def commands(out: Path, *more: str) -> list[list[str]]:
 def test_files_of_others_that_are_called_as_ours_stay_where_results_are_to_be_replaced(names, tmp_path, capsys):
     """A table of somebody's own is no sign that the rest is ours."""
     there = put(tmp_path / "out", *names, "runs/first/notes.txt")
-    for name in ("summary.json", "limit.json", "modes.json", "sensitivity.json"):
+    for name in ("summary.json", "limit.json", "modes.json", "sensitivity.json", "convergence.json"):
         if tmp_path / "out" / name in there:
             (tmp_path / "out" / name).write_text(text := json.dumps({"scene": "mine", "steps": 3, "accuracy": 0.9}))
             there[tmp_path / "out" / name] = text

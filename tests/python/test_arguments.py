@@ -21,7 +21,9 @@ def refused(call, *told):
 
 
 @pytest.mark.parametrize("scene", NO_PATHS)
-@pytest.mark.parametrize("call", [masonry.load, masonry.run, masonry.check, masonry.limit, masonry.sensitivity])
+@pytest.mark.parametrize(
+    "call", [masonry.load, masonry.run, masonry.check, masonry.limit, masonry.sensitivity, masonry.converge]
+)
 def test_what_is_no_scene_is_refused_by_all(call, scene):
     refused(lambda: call(scene), "is no scene", "name of a packaged one")
 

@@ -24,12 +24,13 @@ MARKED = tuple(f".{form}" for form in (*FORMATS, "html"))
 """Suffixes of files that hold our mark."""
 PICTURES = (
     *("curve", "cracks", "mechanism", "thrust", "envelope", "modes", "sweep", "sweep-map", "sensitivity"),
-    *("fragility", "spectrum"),
+    *("fragility", "spectrum", "convergence"),
 )
 NUMBERS = (
     *("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf"),
     *("joints.vtkhdf", "limit.json", "envelope.csv", "modes.json", "sensitivity.json", "sensitivity.csv"),
     *("sweep.toml", "sweep.csv", "sweep.parquet", "fragility.csv", "fragility.json", "spectrum.csv"),
+    *("convergence.csv", "convergence.json"),
 )
 WRITTEN = (*NUMBERS, *(f"{picture}.{form}" for picture in PICTURES for form in FORMATS), "report.html")
 """What commands write into a folder of results, but for its folders."""
@@ -38,6 +39,7 @@ TABLES = {
     "limit.json": {"scene", "factor", "mechanism"},
     "modes.json": {"scene", "freedoms", "closed_contacts"},
     "sensitivity.json": {"sentence", "runs"},
+    "convergence.json": {"numbers", "runs"},
 }
 """Some keys of each table, by which the results of an earlier version are known."""
 ENDS = 65_536

@@ -16,8 +16,9 @@ from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene
 from masonry.sweeps.sensitivity import study_table
-from masonry.sweeps.sensitivity.study import DOING, TABLE, begin, study
+from masonry.sweeps.sensitivity.study import DOING, TABLE, study
 from masonry.sweeps.sensitivity.variants import variants
+from masonry.sweeps.study_folder import begin
 
 PICTURE, CSV = "sensitivity", "sensitivity.csv"
 
@@ -61,7 +62,7 @@ def sensitivity(
     chosen = variants(assemble(scene), only, quick)
     if workers is not None and workers < 1:
         raise SceneError(f"{workers} workers: 1 or more")
-    folder = begin(scene, None if out is None else Path(out), overwrite)
+    folder = begin(scene, "sensitivity", TABLE, DOING, None if out is None else Path(out), overwrite)
     if tell is not None:
         tell(f"{len(chosen)} runs, results in '{folder}'")
     with sole(folder, DOING):

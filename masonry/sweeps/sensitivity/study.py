@@ -5,25 +5,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError
 from masonry.judgement.sentence import trust
 from masonry.results.summary import read_summary
-from masonry.runtime.folder import RESULTS, claim_for_many, scene_name, writing
-from masonry.runtime.folders.own_files import ResultFiles
-from masonry.runtime.lock import sole
 from masonry.runtime.progress import Tell
-from masonry.runtime.text_files import text_of
-from masonry.scene import Scene, to_toml
+from masonry.scene import Scene
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.sensitivity.variants import Variant
+from masonry.sweeps.study_folder import SCENE
 from masonry.sweeps.work import OK
 
-SCENE, TABLE = "scene.toml", "sensitivity.json"
+TABLE = "sensitivity.json"
 DOING = "compares variants of a scene in it"
-LARGEST = 100_000_000
-"""Bytes of a scene."""
 DISSIPATED = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction")
 CRUSHING = "energy_j.crushing"
 
@@ -113,31 +107,3 @@ def _deviations(row: dict[str, Any], base: dict[str, Any]) -> dict[str, float | 
         if here is not None and there is not None and abs(there) > NOTHING * largest[figure.unit]:
             deviations[f"{figure.key}_deviation"] = here / there - 1.0
     return deviations
-
-
-def begin(scene: Scene, out: Path | None, overwrite: bool = False, results: Path = RESULTS) -> Path:
-    """The folder for a study of this scene, with the scene in it: `out`, or the next free `results/NAME-sensitivity-N`.
-
-    A study of the same scene that was not finished is gone on with. Raises SceneError where `out` holds anything else
-    (without `overwrite`), or cannot be written to.
-    """
-    text = to_toml(scene)
-
-    def difference(folder: Path) -> str | None:
-        if not (folder / SCENE).is_file():
-            return None
-        return "" if _holds(folder, text) else "runs of another scene"
-
-    name = f"{scene_name(scene.name)}-sensitivity"
-    folder = claim_for_many(name, out, overwrite, difference, TABLE, results)
-    with writing(folder), sole(folder, DOING), ResultFiles(folder) as files:
-        files.text(SCENE, text)
-    return folder
-
-
-def _holds(folder: Path, text: str) -> bool:
-    """Whether a folder was made for this very scene."""
-    try:
-        return (folder / SCENE).is_file() and text_of(folder / SCENE, LARGEST) == text
-    except SceneError:
-        return False

@@ -21,13 +21,21 @@ def require_measure(measure: str, planned: Sequence[Planned]) -> None:
     no run has such a gauge."""
     scenes = (tomllib.loads(toml) for toml in dict.fromkeys(run.job.resolved for run in planned))
     gauges = list(dict.fromkeys(str(gauge["name"]) for scene in scenes for gauge in scene.get("gauge", ())))
+    require_number(measure, gauges, "fragility: measure: ", "a measure")
+
+
+def require_number(name: str, gauges: Sequence[str], where: str, what: str) -> None:
+    """Raise SceneError where no summary of a scene with these gauges has a number by this dotted name.
+
+    where  it was given        what  it is there
+    """
     entries = {GAUGES: gauges, ENERGIES: (*UNITS, *LARGE_UNITS, CRUSHING, INPUT_ENERGY, *ELEMENT_UNITS)}
-    if not _is_number(Summary, measure, entries):
-        meant = f"shaking.gauges.{measure}.peak" if measure in gauges else measure
+    if not _is_number(Summary, name, entries):
+        meant = f"shaking.gauges.{name}.peak" if name in gauges else name
         hint = did_you_mean(meant, sorted(_numbers(Summary, "", entries)))
         of = f", of the gauges {', '.join(gauges)}" if gauges else ""
-        columns = f"a measure is a number of summary.json by its dotted name (docs/results.md){of}"
-        raise SceneError(f"fragility: measure: no run has '{measure}'; {columns}{hint}")
+        columns = f"{what} is a number of summary.json by its dotted name (docs/results.md){of}"
+        raise SceneError(f"{where}no run has '{name}'; {columns}{hint}")
 
 
 def _kinds(kind: Any) -> tuple[Any, ...]:

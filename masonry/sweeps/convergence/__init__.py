@@ -1,0 +1,1 @@
+"""`masonry converge`: how far the numbers of a scene are from those of the same model, refined without end."""

@@ -1,0 +1,113 @@
+"""The numbers of a run whose error is asked: which there are, what of a row they are, and their words."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from masonry.errors import SceneError
+from masonry.laboratory.result import load_result
+from masonry.rows.columns import FACTOR
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.work import OK
+
+BORNE, FALLS = "collapse_load.borne", "collapse_load.falls"
+STIFFNESS, DISSIPATED = "initial_stiffness_pa_per_m", "dissipated_j"
+LOSSES = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction", "energy_j.crushing")
+ELASTIC = 0.1
+"""Fraction of the peak up to which the secant of a curve is its initial stiffness."""
+NOTHING = 1e-6
+"""Fraction of the largest number of the same unit, below which a number is none."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """key  of a row, words and unit for people, and the factor from SI to that unit."""
+
+    key: str
+    words: str
+    unit: str = ""
+    factor: float = 1.0
+
+
+ANSWERS = (
+    Answer("peak_stress_pa", "peak", "MPa", 1e-6),
+    Answer("displacement_at_peak_m", "displacement there", "mm", 1e3),
+    Answer("final_stress_pa", "end stress", "MPa", 1e-6),
+    Answer(STIFFNESS, "initial stiffness", "MPa/mm", 1e-9),
+    Answer(BORNE, "load factor"),
+    Answer(DISSIPATED, "dissipated energy", "J"),
+)
+BEHIND_GAUGES = {
+    "gauges.{}.at_peak_m": ("{} at the peak", "mm", 1e3),
+    "gauges.{}.final_m": ("{} at the end", "mm", 1e3),
+    "shaking.gauges.{}.peak": ("largest {}", "", 1.0),
+    "shaking.gauges.{}.residual": ("residual {}", "", 1.0),
+}
+"""Numbers that each gauge of a scene has, and their words."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A number of a run, and the half-width of the interval of which it is the lower end (of a load factor)."""
+
+    number: float
+    interval: float = 0.0
+
+
+def answers_of(row: Row, gauges: Sequence[str], chosen: Sequence[str] = ()) -> list[Answer]:
+    """Those of `chosen`, keys of a row; else all that the run of a row has and that are not next to nothing beside
+    others of their unit."""
+    if chosen:
+        known = {answer.key: answer for answer in (*ANSWERS, *_of_gauges(gauges))}
+        return [known.get(key, Answer(key, key)) for key in chosen]
+    there = [answer for answer in (*ANSWERS, *_of_gauges(gauges)) if isinstance(row.get(answer.key), float)]
+    largest: dict[str, float] = {}
+    for answer in there:
+        largest[answer.unit] = max(largest.get(answer.unit, 0.0), abs(row[answer.key]))
+    return [answer for answer in there if abs(row[answer.key]) > NOTHING * largest[answer.unit]]
+
+
+def _of_gauges(gauges: Sequence[str]) -> list[Answer]:
+    return [
+        Answer(key.format(name), words.format(name), unit, factor)
+        for key, (words, unit, factor) in BEHIND_GAUGES.items()
+        for name in gauges
+    ]
+
+
+def with_derived(row: Row, folder: Path) -> Row:
+    """A row with what follows from its numbers and its curve: dissipated energy and initial stiffness."""
+    parts = [row[key] for key in LOSSES if isinstance(row.get(key), float)]
+    derived = {DISSIPATED: sum(parts)} if parts and row.get(BORNE) is None else {}  # what falls dissipates on
+    stiffness = _initial_stiffness(folder / "runs" / row["key"]) if row["status"] == OK else None
+    return row | derived | ({STIFFNESS: stiffness} if stiffness is not None else {})
+
+
+def _initial_stiffness(folder: Path) -> float | None:
+    """Pa/m, the secant from the start of the drive to ELASTIC of the largest stress; None where there is no such."""
+    try:
+        rows = load_result(folder).history.rows
+    except SceneError:
+        return None
+    if "displacement" not in rows or FACTOR in rows:
+        return None
+    way, stress = rows["displacement"], rows["stress"]
+    begun = int(np.argmax(way != 0.0)) - 1
+    if begun < 0:
+        return None
+    rise, moved = stress[begun:] - stress[begun], way[begun:] - way[begun]
+    later = np.nonzero(np.abs(rise) >= ELASTIC * np.max(np.abs(rise)))[0]
+    if not np.max(np.abs(rise)) or moved[later[0]] == 0.0:
+        return None
+    return float(rise[later[0]] / moved[later[0]])
+
+
+def value_of(row: Row, answer: Answer) -> Value | None:
+    """The number of a run; None where it has none."""
+    number = row.get(answer.key)
+    if row["status"] != OK or not isinstance(number, int | float):
+        return None
+    falls = row.get(FALLS) if answer.key == BORNE else None
+    return Value(float(number), 0.5 * (falls - number) if falls is not None else 0.0)

@@ -1,0 +1,159 @@
+"""Which runs of a scene tell its error: each resolution alone, then all that matter together, within a cost."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from geometry.blocks import Blocks, GeometryError
+from masonry.assembly.assemble import assemble
+from masonry.errors import SceneError
+from masonry.laboratory.cost import forecast
+from masonry.scene import Scene, changed
+from masonry.sweeps.convergence.extrapolation import FLAT
+from masonry.sweeps.convergence.resolutions import ALL_EDGES, JITTER, Resolution, jitter, resolutions_of
+
+BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
+MATTERS = 0.1
+"""Fraction of the largest change, below which one resolution is left out of the run of all together."""
+COST, COST_OF_TETS = 6.0, 8.0
+"""Times the scene itself that all other runs may take, where nothing else is said."""
+
+
+@dataclass(frozen=True)
+class Refinement:
+    """A run of a campaign.
+
+    name      of its resolution, or one of BASE, SCATTER, TOGETHER
+    factor    by which it is finer
+    settings  by dotted key
+    cost      expected, over that of the scene as it is
+    members   of TOGETHER, the resolutions that are made finer, and by which factor
+    """
+
+    name: str
+    factor: float
+    settings: dict[str, Any]
+    cost: float = 1.0
+    members: tuple[tuple[str, float], ...] = ()
+
+    @property
+    def label(self) -> str:
+        """Name of the run in lines for people."""
+        if self.name in (BASE, SCATTER):
+            return self.name
+        return f"{self.name} {'finer' if self.factor > 1.0 else 'coarser'} by {max(self.factor, 1.0 / self.factor):.3g}"
+
+
+class Campaign:
+    """The runs of a scene, planned in rounds."""
+
+    def __init__(self, scene: Scene, cost: float | None = None) -> None:
+        """The cost is how many times the scene itself all other runs may take together."""
+        self.scene = scene
+        assembly = assemble(scene)
+        self.seconds = forecast(assembly).seconds[0]
+        self.contacts = len(assembly.model.group)
+        self.limit = cost if cost is not None else COST_OF_TETS if assembly.mesh is not None else COST
+        self.y_is_idle = not scene.acts_along_y and _is_plane(assembly.specimen.blocks)
+        self.resolutions: list[Resolution] = []
+        for resolution in resolutions_of(scene):
+            if resolution.name == ALL_EDGES and any(name.startswith("points along") for name in self._names()):
+                continue
+            if self._trial(resolution, resolution.factors[0]) is not None:
+                self.resolutions.append(resolution)
+
+    def _names(self) -> list[str]:
+        return [resolution.name for resolution in self.resolutions]
+
+    def first(self) -> list[Refinement]:
+        """The scene as it is, a run that differs in nothing that means anything, and each resolution alone, as far as
+        the cost reaches; those that are cheap come first."""
+        base = Refinement(BASE, 1.0, {})
+        trials = [base, Refinement(SCATTER, 1.0, jitter(self.scene, JITTER))]
+        alone = [self._trial(r, factor) for r in self.resolutions for factor in self._first_factors(r)]
+        spent = trials[-1].cost
+        for trial in sorted((trial for trial in alone if trial is not None), key=lambda trial: trial.cost):
+            if spent + trial.cost <= self.limit or len(trials) == 2:
+                trials.append(trial)
+                spent += trial.cost
+        return trials
+
+    def _first_factors(self, resolution: Resolution) -> Sequence[float]:
+        """A coarser one stands on the other side of the scene's, so that both tell the order at once."""
+        return resolution.factors if resolution.factors[0] < 1.0 else resolution.factors[:1]
+
+    def second(
+        self, done: Sequence[Refinement], changes: Mapping[str, float], scatter: float, spent: float
+    ) -> list[Refinement]:
+        """The runs that tell most for the rest of the cost: all together, the largest once more, or scatter.
+
+        changes  by name of a resolution, the largest relative change of an answer
+        scatter  the same of the run that differs in nothing
+        spent    cost of all other runs so far, over the scene itself
+        """
+        largest = max(changes.values(), default=0.0)
+        remaining = self.limit - spent
+        if largest <= FLAT * scatter:
+            again = Refinement(SCATTER, 1.0, jitter(self.scene, 1.0 / JITTER))
+            return [again] if scatter > 0.0 and remaining >= 1.0 else []
+        finer = {r.name: r for r in self.resolutions if any(t.name == r.name and t.factor > 1.0 for t in done)}
+        matter = [name for name in finer if changes.get(name, 0.0) > MATTERS * largest]
+        trials = []
+        if len(matter) > 1:
+            trials.append(self._of_all([finer[name] for name in matter]))
+        name = max(finer, key=lambda name: changes.get(name, 0.0), default=None)
+        if name is not None and len(finer[name].factors) > 1 and finer[name].factors[0] > 1.0:
+            trials.append(self._trial(finer[name], finer[name].factors[1]))
+        chosen = []
+        for trial in trials:
+            if trial is not None and trial.cost <= remaining:
+                chosen.append(trial)
+                remaining -= trial.cost
+        return chosen
+
+    def _of_all(self, resolutions: Sequence[Resolution]) -> Refinement | None:
+        """All of these by two, or as far as mesh goes."""
+        settings: dict[str, Any] = {}
+        members = [(r, next(factor for factor in r.factors if factor > 1.0)) for r in resolutions]
+        for resolution, factor in members:
+            settings = merged(settings, resolution.settings(factor) or {})
+        return self._costed(
+            Refinement(TOGETHER, 2.0, settings, members=tuple((r.name, factor) for r, factor in members))
+        )
+
+    def _trial(self, resolution: Resolution, factor: float) -> Refinement | None:
+        if resolution.name == "points along y" and self.y_is_idle:
+            return None
+        settings = resolution.settings(factor)
+        return None if settings is None else self._costed(Refinement(resolution.name, factor, settings))
+
+    def _costed(self, trial: Refinement) -> Refinement | None:
+        """With what it costs; None where the scene does not take it, or it changes nothing."""
+        try:
+            assembly = assemble(changed(self.scene, trial.settings))
+        except (SceneError, GeometryError):
+            return None
+        is_of_points = "point" in trial.name
+        if is_of_points and len(assembly.model.group) == self.contacts and not self.scene.is_large:
+            return None
+        cost = forecast(assembly).seconds[0] / self.seconds
+        return replace(trial, cost=cost)
+
+
+def _is_plane(blocks: Blocks) -> bool:
+    """Whether all blocks reach from the same y to the same y."""
+    y = blocks.points[:, 1]
+    return len(np.unique(np.round((y - y.min()) / max(np.ptp(y), 1e-300), 9))) == 2
+
+
+def merged(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
+    """Settings of both; numbers of points by axis are the larger of each."""
+    merged = dict(first)
+    for key, value in second.items():
+        if isinstance(value, dict) and key in merged:
+            merged[key] = {axis: max(number, merged[key][axis]) for axis, number in value.items()}
+        else:
+            merged[key] = value
+    return merged

@@ -1,0 +1,171 @@
+"""How far the numbers of a scene are from what the same model gives when it is refined without end: run and written."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from masonry.assembly.growing_loads import require_axles_to_load
+from masonry.errors import SceneError
+from masonry.runtime.folder import writing
+from masonry.runtime.folders.own_files import ResultFiles
+from masonry.runtime.lock import sole
+from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
+from masonry.runtime.processors import processors
+from masonry.runtime.progress import Tell
+from masonry.scene import Scene
+from masonry.sweeps.convergence import chosen_settings, convergence_table
+from masonry.sweeps.convergence.answers import answers_of, with_derived
+from masonry.sweeps.convergence.campaign import Campaign, Refinement
+from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
+from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
+from masonry.sweeps.convergence.resolutions import not_refined
+from masonry.sweeps.engine import run_alone
+from masonry.sweeps.job import Job
+from masonry.sweeps.measured_number import require_number
+from masonry.sweeps.run_store import Row
+from masonry.sweeps.study_folder import SCENE, begin
+from masonry.sweeps.work import OK
+
+PICTURE, CSV, TABLE = "convergence", "convergence.csv", "convergence.json"
+DOING = "refines a scene in it"
+SHORTEST = 1e-3
+"""Seconds of a run that are counted at least."""
+
+
+@dataclass(frozen=True, repr=False)
+class Convergence:
+    """Result of `masonry converge`; it prints as the command does.
+
+    folder   of the runs, the table (convergence.csv, convergence.json) and the picture (convergence.png)
+    errors   of each number of the scene, in SI; empty where its run did not come to its end
+    runs     what was refined, and the row of its run: the scene as it is first
+    remarks  what is not refined, in sentences
+    chosen   settings whose error is small enough, where that was asked for
+    form     of the picture
+    """
+
+    folder: Path
+    errors: list[NumericalError]
+    runs: list[tuple[Refinement, Row]]
+    remarks: list[str]
+    chosen: ChosenSettings | None
+    form: str
+
+    def __repr__(self) -> str:
+        words = [] if self.chosen is None else [self.chosen.words]
+        return convergence_table.text(self.errors, self.runs, [*words, *self.remarks])
+
+    @property
+    def files(self) -> list[str]:
+        """Names of the files in the folder."""
+        picture = [f"{PICTURE}.{self.form}"] if self.errors else []
+        return [CSV, TABLE, *picture, *([FILE] if self.chosen is not None else [])]
+
+    @property
+    def has_come_to_its_end(self) -> bool:
+        """Whether the scene as it is has numbers."""
+        return bool(self.runs[0][1]["status"] == OK)
+
+
+def converge(
+    scene: Scene,
+    out: str | Path | None = None,
+    of: Sequence[str] = (),
+    to: str | float | None = None,
+    cost: float | None = None,
+    workers: int | None = None,
+    tell: Tell | None = None,
+    overwrite: bool = False,
+    form: str = FORMATS[0],
+) -> Convergence:
+    """Refine what a scene says of its resolution, in processes side by side, and tell the error of its numbers.
+
+    out      folder, else the next free results/SCENE-convergence-N; what is done of this scene there is kept
+    of       numbers of summary.json by dotted name; peak, displacement there, load factor and so on where none is named
+    to       an error, "1 %" or 0.01: settings are chosen by which no number has a larger one, see `ChosenSettings`
+    cost     times the scene itself that all other runs may take (default 6, with tets 8)
+    workers  processes (default: all processors; 0: one run after the other in this one)
+    tell     is called with a line for each run that ends
+    form     of the picture, one of FORMATS
+    Raises SceneError or GeometryError before anything runs.
+    """
+    require_format(form)
+    if workers is not None and workers < 0:
+        raise SceneError(f"{workers} workers: 0 (all in this process) or more")
+    if cost is not None and not cost >= 1.0:
+        raise SceneError(f"cost {cost:g}: times the scene itself that all other runs may take, 1 or more")
+    largest = None if to is None else _fraction(to)
+    for number in of:
+        require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
+    require_axles_to_load(scene)
+    campaign = Campaign(scene, cost)
+    if not campaign.resolutions:
+        raise SceneError(f"'{scene.name}' has nothing that could be refined: its answer has no error of resolution")
+    folder = begin(scene, PICTURE, TABLE, DOING, None if out is None else Path(out), overwrite)
+    if tell is not None:
+        tell(f"results in '{folder}'")
+    with sole(folder, DOING):
+        runner = Runner(folder, of, processors() if workers is None else workers, tell)
+        errors, done = runner.measured(campaign)
+        chosen = None
+        if largest is not None and errors:
+            chosen = chosen_settings.choose(
+                scene, errors, largest, lambda finer: runner.measured(Campaign(finer, cost))
+            )
+        result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
+        _write(scene, result, form)
+    return result
+
+
+def _fraction(text: str | float) -> float:
+    try:
+        return chosen_settings.fraction(text)
+    except ValueError as error:
+        raise SceneError(f"--to {text}: {error}") from None
+
+
+@dataclass(frozen=True)
+class Runner:
+    """Runs of campaigns into a folder."""
+
+    folder: Path
+    of: Sequence[str]
+    workers: int
+    tell: Tell | None
+
+    def measured(self, campaign: Campaign) -> tuple[list[NumericalError], list[tuple[Refinement, Row]]]:
+        """The error of each number of a scene, and its runs in two rounds: each resolution alone, then what these say
+        matters."""
+        first = campaign.first()
+        done = self._round(campaign.scene, first)
+        base, gauges = done[0][1], [gauge.name for gauge in campaign.scene.gauge]
+        if base["status"] != OK:
+            return [], done
+        answers = answers_of(base, gauges, self.of)
+        changes, scatter = relative_changes(done, answers)
+        spent = sum(row["seconds_processor_run"] for _, row in done[1:] if row["status"] == OK)
+        cost = spent / max(base["seconds_processor_run"], SHORTEST)
+        done += self._round(campaign.scene, campaign.second(first, changes, scatter, cost))
+        return [error for answer in answers if (error := error_of(answer, done)) is not None], done
+
+    def _round(self, scene: Scene, trials: Sequence[Refinement]) -> list[tuple[Refinement, Row]]:
+        jobs = [Job(scene, trial.settings, trial.label) for trial in trials]
+        rows = run_alone(jobs, self.folder, self.workers, self.tell) if jobs else []
+        return [(trial, with_derived(row, self.folder)) for trial, row in zip(trials, rows, strict=True)]
+
+
+def _write(scene: Scene, result: Convergence, form: str) -> None:
+    """Table and picture, all or none; the picture is left out where there is no error to draw."""
+    from masonry.pictures.style import write_picture
+    from masonry.sweeps.convergence.error_picture import figure_of
+
+    with writing(result.folder):
+        remove_pictures(result.folder, PICTURE)
+        with ResultFiles(result.folder) as files:
+            files.text(CSV, convergence_table.as_csv(result.errors))
+            files.text(TABLE, convergence_table.as_json(result.errors, result.runs, result.remarks))
+            if result.errors:
+                figure = figure_of(scene.title or scene.name, result.errors[0], result.runs)
+                write_picture(figure, files.new(f"{PICTURE}.{form}"))
+            if result.chosen is not None:
+                files.text(FILE, result.chosen.as_toml(SCENE))

@@ -1,0 +1,45 @@
+"""convergence.png: error of a number against seconds of processor, a line for each resolution of the scene."""
+
+from typing import Any
+
+from masonry.pictures.labels import wrapped
+from masonry.pictures.style import plain, tidy
+from masonry.sweeps.convergence.answers import value_of
+from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER
+from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+
+COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#17becf", "#bcbd22")
+
+
+def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
+    """A figure of 1320 pixels in width."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.25, 5.2), layout="constrained")
+    axes = figure.subplots()
+    tidy(axes)
+    size = abs(error.value) or 1.0
+    points = [
+        (trial, row["seconds_processor_run"], 100.0 * abs(value.number + value.interval - error.limit) / size)
+        for trial, row in runs
+        if (value := value_of(row, error.answer)) is not None
+    ]
+    base = points[0]
+    names = dict.fromkeys(trial.name for trial, _, _ in points if trial.name not in (BASE, SCATTER))
+    for name, colour in zip(names, COLOURS * len(names), strict=False):
+        line = sorted([(1.0, *base[1:]), *((t.factor, x, y) for t, x, y in points if t.name == name)])
+        style: dict[str, Any] = {"color": "#222222", "linestyle": "--"} if name == TOGETHER else {"color": colour}
+        axes.plot([x for _, x, _ in line], [y for _, _, y in line], "o-", label=name, markersize=5, **style)
+    again = [(x, y) for trial, x, y in points if trial.name == SCATTER]
+    if again:
+        axes.plot(*zip(*again, strict=True), "x", color="0.5", label="differs in nothing")
+    axes.plot(base[1], base[2], "s", color="#222222", markersize=9, label="scene as it is", zorder=3)
+    width = 100.0 * error.half_width / size
+    axes.axhspan(0.0, width, color="0.9", zorder=0, label="95 % bar of the value without end")
+    axes.set_xscale("log")
+    axes.set_yscale("symlog", linthresh=max(width, 1e-6))
+    axes.set_ylim(bottom=0.0)
+    axes.set(xlabel="processor [s]", ylabel=f"error of the {plain(error.answer.words)} [%]")
+    axes.legend(fontsize=9, frameon=False)
+    figure.suptitle(plain(wrapped(title, 70)), fontsize=13)
+    return figure

@@ -1,0 +1,131 @@
+"""Resolution of a scene: settings that say how finely a model is solved, and nothing about the model."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from masonry.scene import Scene
+
+FINEST_ACCURACY = 1e-4
+MOST_ALONG_PATCH = 40
+"""The finest that a scene takes."""
+JITTER = 1.01
+"""Factor of refinement that means nothing."""
+POLYGONS, ALL_EDGES = "xyz", "points along all edges"
+"""Axes of joints that are no parallelograms: the fewest points along any two of them count."""
+DOUBLED, MESH = (2.0, 4.0), (1.0 / 1.5, 1.5)
+"""Factors of refinement that are tried one after the other. Half the size of tets costs ten to sixteen times as much,
+so that a coarser mesh stands on the other side of the scene's."""
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """One setting of a scene, or several that go together.
+
+    name      in plain words
+    settings  of a factor by which it is made finer (below 1: coarser): what is set, by dotted key; None where the
+              scene does not take it
+    factors   of refinement that are tried, in their order
+    """
+
+    name: str
+    settings: Callable[[float], dict[str, Any] | None]
+    factors: tuple[float, ...] = DOUBLED
+
+
+def resolutions_of(scene: Scene) -> list[Resolution]:
+    """All that a scene has, the cheapest to refine first."""
+    return [*_of_time(scene), *_of_points(scene), *_of_patches(scene), *_of_mesh(scene)]
+
+
+def jitter(scene: Scene, factor: float) -> dict[str, Any]:
+    """Settings that differ from those of a scene by next to nothing: what they move is scatter."""
+    settings: dict[str, Any] = {"solver.step_fraction": scene.solver.step_fraction / factor}
+    for resolution in _of_time(scene):
+        settings |= resolution.settings(factor) or {}
+    return settings
+
+
+def _of_time(scene: Scene) -> Iterator[Resolution]:
+    """The pace of a quasi-static test, dead loads that settle included, or the time step of a motion."""
+    if scene.solver.masses == "real":
+        fraction = scene.solver.step_fraction
+        yield Resolution("time step", lambda factor: {"solver.step_fraction": fraction / factor})
+    elif _pace(scene, 1.0):
+        yield Resolution("pace", lambda factor: _pace(scene, factor))
+
+
+def _pace(scene: Scene, factor: float) -> dict[str, Any] | None:
+    """Settings of a pace that is slower by a factor; empty where a scene says nothing of it."""
+    drive, tilt = scene.drive, scene.gravity.tilt if scene.gravity is not None else None
+    settings: dict[str, Any] = {}
+    if drive is not None and drive.accuracy is not None:
+        if drive.accuracy / factor < FINEST_ACCURACY:
+            return None
+        settings["drive.accuracy"] = drive.accuracy / factor
+    elif drive is not None and drive.steps is not None:
+        settings["drive.steps"] = round(drive.steps * factor)
+    elif drive is not None and drive.rate is not None:
+        settings["drive.rate"] = f"{drive.rate / factor!r} m/s"
+    if tilt is not None and tilt.steps is not None:
+        settings["gravity.tilt.steps"] = round(tilt.steps * factor)
+    if scene.settle is not None and scene.settle.steps:
+        settings["settle.steps"] = round(scene.settle.steps * factor)
+    return settings
+
+
+def _of_points(scene: Scene) -> Iterator[Resolution]:
+    """Contact points along the edges of joints, by the axis of these, or on a face, or by their distance."""
+    spec, number = scene.specimen, scene.points_per_edge
+    if number is not None:
+        for axes in (*number._fields, POLYGONS):
+            yield _along(axes, number._asdict())
+    elif spec.points_per_face is not None:
+        per_face = spec.points_per_face
+        yield Resolution("points per face", lambda factor: {"specimen.points_per_face": round(per_face * factor**2)})
+    elif spec.contact_spacing is not None:
+        spacing = spec.contact_spacing
+        yield Resolution("spacing of points", lambda factor: {"specimen.contact_spacing": f"{spacing / factor!r} m"})
+
+
+def _along(axes: str, number: dict[str, int]) -> Resolution:
+    """Points along the edges of some axes, two at least where they become fewer."""
+
+    def settings(factor: float) -> dict[str, Any]:
+        more = {axis: max(round(n * factor), min(n, 2)) if axis in axes else n for axis, n in number.items()}
+        return {"specimen.points_per_edge": more}
+
+    return Resolution(ALL_EDGES if axes == POLYGONS else f"points along {axes}", settings)
+
+
+def _of_patches(scene: Scene) -> Iterator[Resolution]:
+    """Points of dry contacts in large displacement, where their number is given or corners alone bear."""
+    along = scene.specimen.patch_points_per_edge
+    if scene.is_large and along is not None:
+        yield Resolution("points of patches", lambda factor: _patch(along, factor))
+
+
+def _patch(along: int, factor: float) -> dict[str, Any] | None:
+    number = 2 * max(round(along * factor / 2), 1)
+    return {"specimen.patch_points_per_edge": number} if number <= MOST_ALONG_PATCH else None
+
+
+def _of_mesh(scene: Scene) -> Iterator[Resolution]:
+    size = scene.specimen.mesh_size
+    if size is not None and scene.specimen.mesh != "fan" and any(map(scene.is_meshed, scene.material)):
+        yield Resolution("size of tets", lambda factor: {"specimen.mesh_size": f"{size / factor!r} m"}, MESH)
+
+
+def not_refined(scene: Scene) -> list[str]:
+    """Remarks on settings that a number may rest on besides, and why they are not made finer."""
+    remarks = []
+    spec = scene.specimen
+    if getattr(spec, "cells", None) is not None or scene.scatter is not None:
+        remarks.append(
+            "Cells or strengths drawn at random are a scatter of their own: masonry sensitivity --only cells."
+        )
+    elif max(getattr(spec, "divisions", None) or (1,)) > 1:
+        remarks.append("Blocks of a unit (specimen.divisions) say where cracks may run: they are part of the model.")
+    if any(map(scene.is_meshed, scene.material)) and spec.mesh == "fan":
+        remarks.append("A fan of tets (specimen.mesh) has no size: only gmsh makes it finer.")
+    return remarks

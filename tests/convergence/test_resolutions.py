@@ -1,0 +1,89 @@
+"""What of a scene is resolution, and what it sets."""
+
+import pytest
+
+from masonry.scene import changed, load
+from masonry.sweeps.convergence.campaign import Campaign, merged
+from masonry.sweeps.convergence.resolutions import jitter, not_refined, resolutions_of
+from tests.convergence.samples import TIPPED
+
+
+def settings(scene, name, factor=2.0):
+    return next(r for r in resolutions_of(scene) if r.name == name).settings(factor)
+
+
+@pytest.mark.parametrize(
+    ("keys", "name", "expected"),
+    [
+        ({}, "pace", {"drive.accuracy": 0.005, "settle.steps": 8000}),
+        ({"drive.steps": 3000}, "pace", {"drive.steps": 6000, "settle.steps": 8000}),
+        ({"drive.rate": "4 mm/s"}, "pace", {"drive.rate": "0.002 m/s", "settle.steps": 8000}),
+        (
+            {"specimen.points_per_edge": {"x": 5, "y": 3, "z": 2}},
+            "points along y",
+            {"specimen.points_per_edge": {"x": 5, "y": 6, "z": 2}},
+        ),
+        ({"specimen.points_per_face": 7}, "points per face", {"specimen.points_per_face": 28}),
+        ({"specimen.contact_spacing": "9 mm"}, "spacing of points", {"specimen.contact_spacing": "0.0045 m"}),
+    ],
+)
+def test_a_setting_is_made_finer(keys, name, expected):
+    scene = load("couplet", keys)
+    assert settings(scene, name) == expected
+    changed(scene, expected)
+
+
+def test_tets_have_a_coarser_mesh_beside_the_finer_one():
+    scene = load("couplet", {"kinematics": "tets", "specimen.mesh_size": "30 mm"})
+    size = next(r for r in resolutions_of(scene) if r.name == "size of tets")
+    assert size.factors[0] < 1.0 < size.factors[1]
+    assert size.settings(1.5) == {"specimen.mesh_size": "0.02 m"}
+
+
+def test_a_motion_has_its_time_step_and_no_pace():
+    scene = load("block-rocking")
+    assert settings(scene, "time step") == {"solver.step_fraction": scene.solver.step_fraction / 2}
+    assert "pace" not in [r.name for r in resolutions_of(scene)]
+
+
+def test_an_accuracy_ends_at_the_finest_that_there_is():
+    assert settings(load("couplet", {"drive.accuracy": 1.5e-4}), "pace") is None
+
+
+def test_what_differs_in_nothing_differs_by_a_hundredth():
+    scene = load("couplet")
+    assert jitter(scene, 1.01)["drive.accuracy"] == pytest.approx(0.01, rel=0.011)
+    assert jitter(scene, 1.01)["solver.step_fraction"] != scene.solver.step_fraction
+
+
+def test_points_of_drums_are_refined_along_all_edges_together():
+    """The fewest along two axes count in a polygon: one alone changes nothing."""
+    names = [r.name for r in Campaign(load("column-pushed", {"specimen.sides": 6})).resolutions]
+    assert "points along all edges" in names and "points along x" not in names
+
+
+def test_runs_cost_no_more_than_is_allowed():
+    for cost in (2.5, 4.0, 9.0):
+        campaign = Campaign(load("wallette-mode-1"), cost)
+        trials = campaign.first()
+        assert [trial.name for trial in trials[:2]] == ["as it is", "scatter"]
+        assert len(trials) >= 3
+        assert len(trials) == 3 or sum(trial.cost for trial in trials[1:]) <= cost
+
+
+def test_all_together_have_the_most_points_of_each():
+    first = {"specimen.points_per_edge": {"x": 6, "y": 3, "z": 3}, "drive.accuracy": 0.005}
+    second = {"specimen.points_per_edge": {"x": 3, "y": 3, "z": 6}}
+    assert merged(first, second) == first | {"specimen.points_per_edge": {"x": 6, "y": 3, "z": 6}}
+
+
+def test_what_is_random_is_told_beside_and_not_refined():
+    assert "masonry sensitivity --only cells" in " ".join(not_refined(load("wallette-mode-1-218")))
+    assert not_refined(load(TIPPED)) == []
+
+
+def test_scatter_is_looked_at_again_where_nothing_else_shows():
+    campaign = Campaign(load(TIPPED))
+    again = campaign.second(campaign.first(), {"pace": 1e-4}, 1e-3, 3.0)
+    assert [trial.name for trial in again] == ["scatter"]
+    assert campaign.second(campaign.first(), {"pace": 1e-4}, 1e-3, 5.5) == []

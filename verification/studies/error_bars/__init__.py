@@ -1,0 +1,1 @@
+"""Error bars of `masonry converge` beside what brute force says."""
