@@ -18,7 +18,7 @@ from masonry.configuration.crushed_joints import CrushedJoints, most_crushed
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
-from masonry.configuration.written import written_arrays, written_in_large
+from masonry.configuration.written import joined, written_arrays, written_in_large
 from masonry.elements.element import stiffened
 from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
 from masonry.kernels.driver import Stepper
@@ -208,7 +208,7 @@ class LargeDisplacement:
         )
 
     def written(self) -> dict[str, np.ndarray]:
-        return written_arrays(self.model) | written_in_large(self.model, self.parts)
+        return joined(written_arrays(self.model), written_in_large(self.model, self.parts))
 
     def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
         make_room_for(self.parts, saved)

@@ -83,10 +83,11 @@ def written_arrays(model: Model) -> Arrays:
     if model.dashpots is not None:
         arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
     for element in model.elements:
-        arrays |= {f"{element.name}.{name}": array for name, array in element.written().items()}
+        arrays = joined(arrays, {f"{element.name}.{name}": array for name, array in element.written().items()})
     for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in arrays.values()}
-        arrays |= {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
+        unseen = {f"contacts.{g}.{k}": array for k, array in enumerate(contacts) if id(array) not in seen}
+        arrays = joined(arrays, unseen)
     return {name: array for name, array in arrays.items() if array is not None}
 
 
@@ -101,6 +102,13 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     if near.crushed is not None:
         arrays |= {f"crushed.{name}": getattr(near.crushed, name) for name in ("closing", "hardening", "begun")}
     return arrays | {f"points.{name}": array for name, array in near.points._asdict().items() if array is not None}
+
+
+def joined(arrays: dict[str, Any], more: dict[str, Any]) -> dict[str, Any]:
+    """Both tables of arrays. Raises ValueError where a name stands in both: a checkpoint would keep one of the two."""
+    if twice := sorted(arrays.keys() & more.keys()):
+        raise ValueError(f"two parts of a model write '{twice[0]}': the name of an element is that of no other part")
+    return arrays | more
 
 
 def _fields(name: str, written: Any, arrays: Any) -> dict[str, np.ndarray | None]:

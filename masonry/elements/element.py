@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.jit.compiled_parts import Call
+from masonry.model.element_plan import ElementPlan
 
 Elements = Sequence["Element"]
 
@@ -30,9 +31,9 @@ class Acting(NamedTuple):
 class Element:
     """An element that is there and does nothing.
 
-    name            of its arrays in a checkpoint
-    environment     of what it does to the blocks from outside, among supports; None where it does nothing from there
-    on              where it does so, in words
+    name            of its arrays in a checkpoint, and of its numbers in the summary: no other element of a model has it
+    plan            what the scene says of it: what it ties, and what it does to the blocks from outside
+    on              where it acts from outside, in words
     is_support      whether that counts with the support of a drive
     shifts_moments  whether it changes the moments of loads as blocks move
     slack           m, the most by which it has to be stretched before it bears
@@ -40,10 +41,12 @@ class Element:
     """
 
     name: str
-    environment: str | None = None
     on = ""
     is_support, shifts_moments = False, False
     slack, stiffest = 0.0, 0.0
+
+    def __init__(self, plan: ElementPlan) -> None:
+        self.plan = plan
 
     def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:
         """Its part of a step of a model; `shared` as of kinematics/shared.py."""
@@ -63,10 +66,6 @@ class Element:
     def stiffness(self) -> tuple[np.ndarray, np.ndarray] | None:
         """Blocks (E,), and the stiffness (E,) N/m that it has there."""
         return None
-
-    def links(self) -> np.ndarray:
-        """(K, 2) blocks that it ties to each other; -1 for a place that stays in space."""
-        return np.zeros((0, 2), dtype=np.int64)
 
     def stored(self) -> dict[str, float]:
         """J that it stores, by column of the ledger."""

@@ -23,7 +23,7 @@ class ForcesAtPoints(ElementPlan):
             return None
         rigid = model.bodies.rigid._replace(shifted=in_rows(np.zeros(model.bodies.rigid.q.shape)))
         model.bodies = model.bodies._replace(rigid=rigid)
-        return PointLoadElement(points, varying)
+        return PointLoadElement(self, points, varying)
 
 
 class PointLoadElement(Element):
@@ -32,7 +32,8 @@ class PointLoadElement(Element):
 
     name, shifts_moments = "point_loads", True
 
-    def __init__(self, points: PointLoads, of_each: np.ndarray) -> None:
+    def __init__(self, plan: ForcesAtPoints, points: PointLoads, of_each: np.ndarray) -> None:
+        super().__init__(plan)
         self.points, self.of_each = points, of_each
 
     def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:

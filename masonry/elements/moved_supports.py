@@ -25,7 +25,7 @@ class MovedDofs(ElementPlan):
     def element(self, site: Site) -> "MovedSupportElement":
         dofs = tuple(self.dofs.get(kind) for kind in KINDS)
         velocity = np.zeros((ROOM, self.components))
-        return MovedSupportElement(MovedSupports(dofs, velocity, np.zeros(1, dtype=np.int64)))
+        return MovedSupportElement(self, MovedSupports(dofs, velocity, np.zeros(1, dtype=np.int64)))
 
 
 class MovedSupportElement(Element):
@@ -33,7 +33,8 @@ class MovedSupportElement(Element):
 
     name = "moved_supports"
 
-    def __init__(self, supports: MovedSupports) -> None:
+    def __init__(self, plan: MovedDofs, supports: MovedSupports) -> None:
+        super().__init__(plan)
         self.supports = supports
 
     def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:

@@ -38,15 +38,16 @@ class Drag(ElementPlan):
 
     def element(self, site: Site) -> "QuietElement":
         model = site.model
-        return QuietElement(quiet_rows(self, model.layout, model.masses, site.conditions.prescribed, model.dt))
+        return QuietElement(self, quiet_rows(self, model.layout, model.masses, site.conditions.prescribed, model.dt))
 
 
 class QuietElement(Element):
     """Dashpots on faces of a model; rows of them by kind, None without."""
 
-    name, environment, on = "quiet", Drag.environment, "their faces"
+    name, on = "quiet", "their faces"
 
-    def __init__(self, rows: tuple[QuietRows | None, ...]) -> None:
+    def __init__(self, plan: Drag, rows: tuple[QuietRows | None, ...]) -> None:
+        super().__init__(plan)
         self.rows = rows
 
     def calls(self, model: Any, shared: np.ndarray) -> ElementCalls:

@@ -15,7 +15,8 @@ FEW = 4
 
 def bar_lines(assembly: Assembly) -> list[str]:
     """How many bars, how long, their stiffness and yield force, and between what."""
-    links, bars, lines = [one.links() for one in assembly.model.elements if one.name == "bars"], assembly.scene.bar, []
+    links = [one.plan.links() for one in assembly.model.elements if one.name == "bars"]
+    bars, lines = assembly.scene.bar, []
     first = 0
     for k, bar in enumerate(bars):
         ends = links[0][first : first + bar.repeat].T

@@ -59,7 +59,7 @@ class Site(NamedTuple):
 class ElementPlan:
     """What a scene says of elements of one kind, before a model is made of it.
 
-    environment  of what it does from outside, as of Element
+    environment  of what it does to the blocks from outside, among supports; None where it does nothing from there
     """
 
     environment: str | None = None
@@ -105,10 +105,17 @@ def first_forces(contacts: int, ends: Sequence[Ends | None]) -> list[int]:
 def elements_of(
     model: Any, conditions: Any, ends: list[Ends | None], rows: tuple[np.ndarray, ...], turns: bool
 ) -> tuple[Any, ...]:
-    """The elements of a model; rows of u (E,) of the ends of each."""
+    """The elements of a model; rows of u (E,) of the ends of each. Raises ValueError where two share a name, under
+    which checkpoints, the summary and supports keep what they say."""
     of_each = zip(conditions.elements, ends, rows, first_forces(len(model.group), ends), strict=False)
     elements = [
         plan.element(Site(model, conditions, turns, own, row, len(model.u) - 1, first))
         for plan, own, row, first in of_each
     ]
-    return tuple(element for element in elements if element is not None)
+    chosen = tuple(element for element in elements if element is not None)
+    outside = [each.plan.environment for each in chosen if each.plan.environment is not None]
+    for names in ([each.name for each in chosen], outside):
+        for name in names:
+            if names.count(name) > 1:
+                raise ValueError(f"two elements of a model are named '{name}': each needs a name of its own")
+    return chosen

@@ -65,7 +65,7 @@ class Surroundings:
         """The forces now; `before`: velocities one step earlier; force (C, 3) N of the contacts on their side a;
         `load_factors` of the loads that act."""
         parts = {part.name: part for part in parts_of(model)}
-        reactions, elements = np.zeros((len(self.holds), 6)), {one.environment: one for one in model.elements}
+        reactions, elements = np.zeros((len(self.holds), 6)), {one.plan.environment: one for one in model.elements}
         for k, one in enumerate(self.holds):
             if not one.parts and (element := elements.get(one.name)) is not None:
                 reactions[k] = element.of_environment(parts.values())
@@ -100,7 +100,7 @@ class Surroundings:
         """N along an axis, of elements that support the blocks from outside; 0 without an axis or without such ones."""
         if axis is None:
             return 0.0
-        supports = [one for one in model.elements if one.is_support and one.environment is not None]
+        supports = [one for one in model.elements if one.is_support and one.plan.environment is not None]
         return sum((float(one.of_environment(parts_of(model))[axis]) for one in supports), start=0.0)
 
     def moved(self, model: Model) -> np.ndarray:

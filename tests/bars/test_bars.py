@@ -108,6 +108,33 @@ def test_the_step_of_a_bar_is_proven_and_sharp():
     assert 0.5 < large.bound / (2.0 * np.sqrt(2.0 / (1e5 * STIFFNESS))) <= 1.0
 
 
+class OtherBars(BarPlaces):
+    """Bars whose element has a name of its own."""
+
+    def element(self, site):
+        other = super().element(site)
+        other.name = "other_bars"
+        return other
+
+
+def test_two_elements_of_one_name_are_refused(monkeypatch):
+    conditions_of = assembling.conditions_of
+
+    def twice(*arguments):
+        conditions = conditions_of(*arguments)
+        conditions.elements = [*conditions.elements, *conditions.elements]
+        return conditions
+
+    monkeypatch.setattr(assembling, "conditions_of", twice)
+    with pytest.raises(ValueError, match="two elements of a model are named 'bars'"):
+        assemble(hung())
+    monkeypatch.undo()
+    model = assemble(hung()).model
+    model.elements[0].name, model.elements[0].written = "rigid", lambda: {"v": np.zeros(1)}
+    with pytest.raises(ValueError, match="two parts of a model write 'rigid.v'"):
+        model_state.state(model)
+
+
 @pytest.mark.parametrize("displacements", ["small", "large"])
 def test_bars_of_two_elements_do_what_they_do_as_one(displacements, monkeypatch):
     """Of a block that two slanting bars hold against a weight that lifts it."""
@@ -123,10 +150,11 @@ def test_bars_of_two_elements_do_what_they_do_as_one(displacements, monkeypatch)
         conditions = conditions_of(*arguments)
         (both,) = (one for one in conditions.elements if isinstance(one, BarPlaces))
         arrays = {name: value for name, value in vars(both).items() if name != "columns"}
-        conditions.elements = [
+        one, other = (
             BarPlaces(**{name: value[[k]] for name, value in arrays.items()}, columns={name: 0})
             for k, name in ((1, "other"), (0, "bar"))
-        ]
+        )
+        conditions.elements = [one, OtherBars(**vars(other))]
         return conditions
 
     monkeypatch.setattr(assembling, "conditions_of", apart)

@@ -13,7 +13,7 @@ def loose_blocks(model: Model, bears: np.ndarray) -> np.ndarray:
         supported = (part.body.dt_over_mass[: len(part.owner)] == 0.0).any(axis=1)
         loose[part.owner[supported]] = False
     sides = np.column_stack([joints.block_a, joints.block_b])[bears]
-    for links in (element.links() for element in model.elements):
+    for links in (element.plan.links() for element in model.elements):
         ends_in_space = (links < 0).any(axis=1)
         loose[links[ends_in_space].max(axis=1)] = False
         sides = np.concatenate([sides, links[~ends_in_space]])

@@ -129,8 +129,8 @@ class BarElement(Element):
     name, on, is_support = "bars", "fixed ends", True
 
     def __init__(self, places: BarPlaces, site: Site) -> None:
+        super().__init__(places)
         self.places, self.turns, self.u = places, site.turns, site.model.u
-        self.environment = places.environment
         self.slack, self.stiffest = float(places.slack.max(initial=0.0)), float(places.stiffness.max())
         sides = np.full((places.count, 2), site.still, dtype=np.int64)
         assert site.ends is not None
@@ -166,9 +166,6 @@ class BarElement(Element):
     def stiffness(self) -> tuple[np.ndarray, np.ndarray]:
         bar, end = self.places.ends_on_blocks
         return self.places.block[bar, end], self.places.stiffness[bar]
-
-    def links(self) -> np.ndarray:
-        return self.places.block
 
     def stored(self) -> dict[str, float]:
         return {ELASTIC_BARS: float(np.sum(0.5 * self.bars.tension**2 / self.bars.stiffness))}

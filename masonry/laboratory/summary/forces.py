@@ -30,7 +30,7 @@ def _reactions(assembly: Assembly, outcome: Outcome) -> dict[str, Any]:
     """At the peak and at the end: what supports, drive and dead loads exert."""
     scene, outer = assembly.scene, assembly.recording.surroundings
     on: dict[str | None, str] = {f"support.{k}": support.on for k, support in enumerate(scene.support)}
-    on |= {FLOOR: FLOOR, **{element.environment: element.on for element in assembly.model.elements}}
+    on |= {FLOOR: FLOOR, **{element.plan.environment: element.on for element in assembly.model.elements}}
     if scene.drive is not None:
         on["drive"] = scene.drive.on
     holds, loads = tuple((one.name, on[one.name]) for one in outer.holds), tuple(one.name for one in outer.loads)
