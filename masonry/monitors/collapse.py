@@ -62,8 +62,12 @@ class Collapse(Observer):
         for part in parts_of(model):
             self.free[part.blocks] = part.sums(part.free[:, :3].any(axis=1).astype(float)) > 0.0
 
+    @property
+    def has_fallen(self) -> bool:
+        return self.block >= 0
+
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        if self.block < 0:
+        if not self.has_fallen:
             drop, carried = np.zeros(len(self.width)), 0.0
             for part in parts_of(model):
                 if part.body.load is not None:
@@ -116,7 +120,7 @@ class Collapse(Observer):
             self.first_left, self.time_left = int(below.argmax()), step * model.dt
 
     def found(self) -> dict[str, Any]:
-        fallen = None if self.block < 0 else (self.block, self.step, self.energies)
+        fallen = None if not self.has_fallen else (self.block, self.step, self.energies)
         left = None if self.first_left < 0 else LeftFloor(self.first_left, self.time_left, self.left)
         return {"collapse": fallen, "left_floor": left}
 

@@ -38,6 +38,11 @@ class Observer:
 
     REMEMBERED: tuple[str, ...] = ()
 
+    @property
+    def has_fallen(self) -> bool:
+        """Whether it has seen a block fall, as far as rows have shown."""
+        return False
+
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Numbers of this row by name; raises Stopped where the run is not to be trusted any more."""
         raise NotImplementedError

@@ -34,3 +34,7 @@ class Recording:
     def is_shaken(self) -> bool:
         """Whether any ground moves."""
         return self.weight_when_shaken is not None
+
+    def along(self, place: float) -> float:
+        """A place of the drive (m) along its direction, for one along an axis."""
+        return self.sign * place + 0.0

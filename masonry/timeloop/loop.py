@@ -1,7 +1,7 @@
 """The time loop: chunks of compiled steps; between chunks the history, and the watch for instability."""
 
 from collections.abc import Callable
-from dataclasses import asdict, fields
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -15,28 +15,25 @@ from masonry.elements.element import readings_of
 from masonry.errors import MovedTooFar, TurnedTooFar
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
-from masonry.monitors.collapse import Collapse
 from masonry.monitors.frames import Frames
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.recording import Recording
 from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, INPUT_ENERGY, UNITS
 from masonry.rows.history import Frame, Standing
-from masonry.rows.peak import borne, reached
+from masonry.rows.peak import borne
 from masonry.runtime.processors import Seconds
 from masonry.runtime.progress import Progress
 from masonry.runtime.state_file import State, attributes, load_attributes
-from masonry.timeloop.around_peak import AroundPeak
 from masonry.timeloop.checkpointer import Checkpointer
 from masonry.timeloop.gauge_columns import finish_columns
 from masonry.timeloop.observers import observers_of
+from masonry.timeloop.peak_watch import PeakWatch, by_field
 from masonry.timeloop.run_outcome import Outcome
 
-FOUND = ("peak_force", "displacement_at_peak", "blow", "lowest_force", "displacement_at_lowest", "steps", "log")
-"""What an outcome has besides the history before the run is over."""
-REMEMBERED = ("place", "done", "frames_done", "highest_row", "dead_load_factor", "heights")
-ALIKE = 1e-4
-"""Share by which one row must be higher than another for both to be kept as the peak, that is, ten at most."""
+OF_OUTCOME = ("steps", "log")
+"""Of an outcome before the run is over, besides the history and the peak."""
+REMEMBERED = ("place", "done", "frames_done", "dead_load_factor")
 Columns = dict[str, list[float]]
 
 
@@ -66,10 +63,7 @@ class Loop:
         self.loads_along = recording.surroundings.along(model, recording.axis)
         self.camera = Frames(model)
         self.frames: list[Frame] = []
-        self.near_peak: list[tuple[float, Frame, Standing]] = []
-        self.heights = np.zeros((0, 2))
-        self.around_peak = AroundPeak()
-        self.highest_row = -np.inf
+        self.peak = PeakWatch(outcome, recording)
         self.earlier, self.begun = Seconds(), Seconds.now()
 
     @property
@@ -86,7 +80,7 @@ class Loop:
             begins, self.done = self.done < self.settle, self.done + chunk.steps
             self.loading.feel(self.done, before)
             if len(path) and self.driven:
-                self.find_peak(path, self.loading.counted(before, path, force), begins)
+                self.peak.see(path, self.loading.counted(before, path, force), begins, self.has_fallen)
             if chunk.row:
                 self.close_row(before, progress)
             if self.done == self.settle:
@@ -138,50 +132,6 @@ class Loop:
         begun = max(self.settle - done - 1, 0)
         return before, path[begun:], drive_force[begun:]
 
-    def find_peak(self, path: np.ndarray, drive_force: np.ndarray, begins: bool) -> None:
-        """The peak, and the lowest force, are looked for at every step from the last one of the settling on, where it
-        `begins`, not only at rows. A blow is none; and once a block has fallen there is none any more: it hits the
-        drive."""
-        force = drive_force * self.recording.sign
-        if begins:
-            self.outcome.peak_force = float(force[0])
-            self.heights = np.array([[force[0], path[0]]])
-        k, low = int(np.argmax(force)), int(np.argmin(force))
-        struck = self.has_fallen or self.around_peak.strikes(path, force, k, self.outcome.peak_force)
-        higher = not struck and bool(force[k] > self.outcome.peak_force)
-        self.around_peak.see(path, force, k if higher else None)
-        if struck:
-            self.outcome.blow = max(self.outcome.blow, float(force[k]))
-        elif higher:
-            self.rise(force[: k + 1], path[: k + 1])
-        if force[low] < self.outcome.lowest_force:
-            self.outcome.lowest_force = float(force[low])
-            self.outcome.displacement_at_lowest = self.along(float(path[low]))
-
-    def rise(self, force: np.ndarray, path: np.ndarray) -> None:
-        """A higher peak, the last of these forces: it counts as reached where the first was near to it."""
-        top = np.maximum.accumulate(np.concatenate([[self.outcome.peak_force], force]))
-        new = np.flatnonzero(np.diff(top) > 0.0)
-        seen = np.concatenate([self.heights, np.column_stack([force[new], path[new]])])
-        self.outcome.peak_force = float(force[-1])
-        self.heights = seen[seen[:, 0] >= reached(self.outcome.peak_force)]
-        self.outcome.displacement_at_peak = self.along(float(self.heights[0, 1]))
-
-    def shows_more(self, stress: float) -> bool:
-        """Whether a frame of a row that is higher than all before is worth its while: of frames that differ by next to
-        nothing the first is kept."""
-        last = self.near_peak[-1][0] if self.near_peak else -np.inf
-        return stress > last * (1.0 + ALIKE) or last < reached(stress)
-
-    def keep_peak(self, stress: float) -> None:
-        """A row is higher than all before: keep the frames that may be the first near to the peak."""
-        self.near_peak = [one for one in self.near_peak if one[0] >= reached(stress)]
-        self.highest_row, self.outcome.standing["peak"] = stress, self.near_peak[0][2]
-
-    def along(self, place: float) -> float:
-        """A place of the drive (m) along its direction, for one along an axis."""
-        return self.recording.sign * place + 0.0
-
     def load_factors(self) -> list[float]:
         """The factor of each dead load now."""
         varying = self.loading.load_factors()
@@ -191,8 +141,7 @@ class Loop:
     @property
     def has_fallen(self) -> bool:
         """Whether a block has fallen, as far as rows have shown."""
-        collapse = self.observers.get("collapse")
-        return isinstance(collapse, Collapse) and collapse.block >= 0
+        return any(observer.has_fallen for observer in self.observers.values())
 
     def take_row(self, step: int, before: list[np.ndarray], frame_due: bool = True) -> None:
         """Row of the state of the specimen now; and a frame where one is due, or the force is the highest so far."""
@@ -220,8 +169,8 @@ class Loop:
         force = self.recording.section * self.recording.sign
         self.loading.look(row["stress"] * force, row["support_stress"] * force, now.seen, terms)
         stress = float(borne(row, "stress"))
-        higher = stood and stress > self.highest_row and step >= max(self.settle, 1)
-        shows = higher and self.shows_more(stress)
+        higher = stood and stress > self.peak.highest_row and step >= max(self.settle, 1)
+        shows = higher and self.peak.shows_more(stress)
         if frame_due or shows:
             place, forces = row["displacement"], self.configuration.joint_forces()
             standing = self.recording.surroundings.standing(model, before, forces, step, place, load_factors)
@@ -230,9 +179,9 @@ class Loop:
                 self.frames.append(frame)
                 self.outcome.standing["end"] = standing
             if shows:
-                self.near_peak.append((stress, frame, standing))
+                self.peak.near.append((stress, frame, standing))
         if higher:
-            self.keep_peak(stress)
+            self.peak.keep(stress)
 
     def readings(self, before: list[np.ndarray]) -> dict[str, float]:
         """By gauge what it reads, and by column what elements do. Velocities now are the mean of those half a step
@@ -258,7 +207,7 @@ class Loop:
         return {
             "step": step,
             "time": step * model.dt,
-            "displacement": self.along(self.place),
+            "displacement": self.recording.along(self.place),
             "stress": stress,
             "support_stress": -support,
             "force": area * stress,
@@ -276,12 +225,9 @@ class Loop:
             history.rows[INPUT_ENERGY] = energy_in
         for observer in self.observers.values():
             self.outcome.found |= observer.found()
-        self.outcome.missed_between_steps, self.outcome.borne_through = (
-            self.around_peak.missed(),
-            self.around_peak.through,
-        )
+        self.peak.finish()
         self.outcome.take_extremes_of_rows()
-        frames = {frame.step: frame for frame in [*self.frames, *(frame for _, frame, _ in self.near_peak[:1])]}
+        frames = {frame.step: frame for frame in [*self.frames, *self.peak.frames()]}
         self.outcome.standing = {k: v for k in ("peak", "end") if (v := self.outcome.standing.get(k)) is not None}
         peak = self.recording.sign * self.outcome.peak_force
         self.outcome.loading, self.outcome.events = self.loading.outcome(peak), self.loading.events
@@ -294,11 +240,10 @@ class Loop:
             "seconds": asdict(self.seconds),
             "rows": {key: np.array(values, dtype=float) for key, values in self.rows.items()},
             "observed": {key: np.array(values) for key, values in self.observed.items()},
-            "frames": [_kept(frame) for frame in self.frames],
-            "near_peak": [[stress, _kept(frame), _kept(standing)] for stress, frame, standing in self.near_peak],
-            "found": attributes(self.outcome, FOUND),
-            "standing": {when: _kept(standing) for when, standing in self.outcome.standing.items()},
-            "around_peak": self.around_peak.state(),
+            "frames": [by_field(frame) for frame in self.frames],
+            "peak": self.peak.state(),
+            "outcome": attributes(self.outcome, OF_OUTCOME),
+            "standing": {when: by_field(standing) for when, standing in self.outcome.standing.items()},
             "loading": self.loading.state(),
             "observers": {name: observer.state() for name, observer in self.observers.items()},
         }
@@ -306,15 +251,14 @@ class Loop:
     def restore(self, state: State) -> None:
         """Go on from there."""
         load_attributes(self, REMEMBERED, state)
-        load_attributes(self.outcome, FOUND, state["found"])
+        load_attributes(self.outcome, OF_OUTCOME, state["outcome"])
         self.outcome.standing = {when: Standing(**kept) for when, kept in state["standing"].items()}
         self.earlier = Seconds(**state["seconds"])
         self.rows, self.observed = (
             {key: values.tolist() for key, values in state[name].items()} for name in ("rows", "observed")
         )
         self.frames = [Frame(**frame) for frame in state["frames"]]
-        self.near_peak = [(height, Frame(**frame), Standing(**acts)) for height, frame, acts in state["near_peak"]]
-        self.around_peak.restore(state["around_peak"])
+        self.peak.restore(state["peak"])
         self.loading.restore(state["loading"])
         for name, observer in self.observers.items():
             observer.restore(state["observers"][name])
@@ -330,7 +274,3 @@ def append(columns: Columns, row: dict[str, float]) -> None:
     """A row below columns that have the same names, or none yet."""
     for key, value in row.items():
         columns.setdefault(key, []).append(value)
-
-
-def _kept(record: Frame | Standing) -> State:
-    return {entry.name: getattr(record, entry.name) for entry in fields(record)}

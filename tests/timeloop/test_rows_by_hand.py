@@ -48,12 +48,12 @@ def test_dead_loads_along_the_drive_count_with_its_support():
 
 def test_the_peak_is_looked_for_at_each_step_and_counts_where_the_first_was_within_a_thousandth():
     loop = loop_of()
-    loop.find_peak(np.array([0.0, 1.0, 2.0, 3.0]), np.array([10.0, 99.95, 100.0, 50.0]), True)
+    loop.peak.see(np.array([0.0, 1.0, 2.0, 3.0]), np.array([10.0, 99.95, 100.0, 50.0]), True, False)
     assert (loop.outcome.peak_force, loop.outcome.displacement_at_peak) == (100.0, 1.0)
-    loop.find_peak(np.array([4.0, 5.0]), np.array([100.04, -7.0]), False)
+    loop.peak.see(np.array([4.0, 5.0]), np.array([100.04, -7.0]), False, False)
     assert (loop.outcome.peak_force, loop.outcome.displacement_at_peak) == (100.04, 1.0)
     assert (loop.outcome.lowest_force, loop.outcome.displacement_at_lowest) == (-7.0, 5.0)
-    loop.find_peak(np.array([6.0, 7.0]), np.array([100.2, 3.0]), False)
+    loop.peak.see(np.array([6.0, 7.0]), np.array([100.2, 3.0]), False, False)
     assert (loop.outcome.peak_force, loop.outcome.displacement_at_peak) == (100.2, 6.0)
 
 
@@ -74,11 +74,11 @@ def test_a_drive_that_turns_back_has_its_extremes_in_rows_of_the_curve():
 def test_the_frame_of_the_peak_is_the_first_of_those_within_a_thousandth_of_it():
     loop, kept, taken = loop_of(), [], []
     for number, stress in enumerate((50.0, 99.95, 99.951, 100.0, 100.04, 100.2)):
-        taken.append(loop.shows_more(stress))
+        taken.append(loop.peak.shows_more(stress))
         if taken[-1]:
-            loop.near_peak.append((stress, f"frame {number}", f"standing {number}"))
-        loop.keep_peak(stress)
-        kept.append((loop.near_peak[0][1], len(loop.near_peak)))
+            loop.peak.near.append((stress, f"frame {number}", f"standing {number}"))
+        loop.peak.keep(stress)
+        kept.append((loop.peak.near[0][1], len(loop.peak.near)))
     assert taken == [True, True, False, True, True, True], "none is higher by less than a ten thousandth"
     assert kept == [("frame 0", 1), *[("frame 1", n) for n in (1, 1, 2, 3)], ("frame 5", 1)]
     assert loop.outcome.standing["peak"] == "standing 5"
