@@ -1,6 +1,7 @@
 """Observers where blocks may fall and deform as they like: which falls first, overlaps, large strains."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,7 +22,17 @@ THROUGH = 0.5
 """Of the least width of the thinner of two blocks: an overlap at which one has as far to go forward as back."""
 
 
-class LeftFloor(NamedTuple):
+@dataclass(frozen=True)
+class Fallen:
+    """The first block that had fallen, at which step, and the terms of the energy ledger (J) then."""
+
+    block: int
+    step: int
+    energies: dict[str, float]
+
+
+@dataclass(frozen=True)
+class LeftFloor:
     """The first block that left the floor, when (s), and how many blocks did."""
 
     block: int
@@ -119,10 +130,9 @@ class Collapse(Observer):
         if self.first_left < 0 and self.left:
             self.first_left, self.time_left = int(below.argmax()), step * model.dt
 
-    def found(self) -> dict[str, Any]:
-        fallen = None if not self.has_fallen else (self.block, self.step, self.energies)
-        left = None if self.first_left < 0 else LeftFloor(self.first_left, self.time_left, self.left)
-        return {"collapse": fallen, "left_floor": left}
+    def records(self) -> list[Any]:
+        fallen = [Fallen(self.block, self.step, self.energies)] if self.has_fallen else []
+        return [*fallen, *([LeftFloor(self.first_left, self.time_left, self.left)] if self.first_left >= 0 else [])]
 
 
 class LargestDeformation(Observer):
@@ -137,5 +147,5 @@ class LargestDeformation(Observer):
         self.least, self.longest = min(self.least, view.least), max(self.longest, view.longest)
         return {}
 
-    def found(self) -> dict[str, Any]:
-        return {"deformation": Strains(self.least, self.longest, self.stretch)}
+    def records(self) -> list[Any]:
+        return [Strains(self.least, self.longest, self.stretch)]

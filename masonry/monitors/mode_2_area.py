@@ -1,5 +1,6 @@
 """Whether contacts took more energy of mode II than their law has: the area under its curve, above the residual."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,14 @@ BEFORE, BEYOND, POINTS = 1e-4, 1e5, 400
 """From where to where a curve is integrated, over that length, and by how many points."""
 
 
+@dataclass(frozen=True)
+class TakenInShear:
+    """Over the area of the law: the largest energy of mode II of a contact; and the largest compression (C,) Pa."""
+
+    over_law: float
+    compression: np.ndarray
+
+
 class LawArea(Observer):
     """The largest compression of each contact at the rows so far: between it and none lies the area of the law."""
 
@@ -30,8 +39,8 @@ class LawArea(Observer):
         np.maximum(self.compression, -view.seen.sigma, out=self.compression)
         return {}
 
-    def found(self) -> dict[str, Any]:
-        return {"mode_2_over_law": self.most_taken(), "compression": self.compression}
+    def records(self) -> list[Any]:
+        return [TakenInShear(self.most_taken(), self.compression)]
 
     def most_taken(self) -> float:
         """Largest energy of mode II of a contact over the area of its law, without compression or at the largest.

@@ -1,13 +1,32 @@
-"""Observer of a run: at each row of the history it is shown the specimen, and says what it found by name."""
+"""Observer of a run: at each row of the history it is shown the specimen; it says numbers of each row by name, and of
+the whole run by records."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from masonry.configuration.energy import Seen
 from masonry.model.model import Model
 from masonry.runtime.state_file import State, attributes, load_attributes
+
+Record = TypeVar("Record")
+
+
+class ObserverRecords:
+    """Records of observers on a whole run, each asked for by its type."""
+
+    def __init__(self, records: Iterable[Any] = ()) -> None:
+        self._records = {type(record): record for record in records}
+
+    def __getitem__(self, kind: type[Record]) -> Record:
+        """The record of a type that each run has."""
+        return self._records[kind]
+
+    def get(self, kind: type[Record]) -> Record | None:
+        """The record of a type; None where no observer has one."""
+        return self._records.get(kind)
 
 
 @dataclass(frozen=True)
@@ -47,9 +66,9 @@ class Observer:
         """Numbers of this row by name; raises Stopped where the run is not to be trusted any more."""
         raise NotImplementedError
 
-    def found(self) -> dict[str, Any]:
-        """Findings on the whole run, by name."""
-        return {}
+    def records(self) -> list[Any]:
+        """Records on the whole run, each of a type of its own."""
+        return []
 
     def state(self) -> State:
         """State that it remembers."""

@@ -145,6 +145,18 @@ def of_motion(model: Model, before: list[np.ndarray]) -> tuple[np.ndarray, np.nd
     return damping, inertia
 
 
+@dataclass(frozen=True)
+class WorkDone:
+    """J by each load (L,): at the end, and at the end of the settling."""
+
+    by_load: np.ndarray
+    settling: np.ndarray
+
+    @property
+    def after_settling(self) -> np.ndarray:
+        return np.asarray(self.by_load - self.settling)
+
+
 class WorkOfLoads(Observer):
     """Work (J) of each load so far, by the trapezoid from row to row: exact while its factor stays as it is, and its
     moments about the centroids of rigid blocks do."""
@@ -177,8 +189,8 @@ class WorkOfLoads(Observer):
         self.by_shifts = self.by_shifts + np.bincount(load, done, len(of_loads))
         self.moments, self.turns = moments, turns
 
-    def found(self) -> dict[str, Any]:
-        return {"work_of_loads": self.done, "work_of_loads_settling": self.settled}
+    def records(self) -> list[Any]:
+        return [WorkDone(self.done, self.settled)]
 
 
 def balance(holds: tuple[tuple[str, str], ...], loads: tuple[str, ...], standing: Standing) -> dict[str, Any]:

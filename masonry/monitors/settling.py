@@ -1,5 +1,6 @@
 """How far dead loads have settled: what is unbalanced, and what still moves."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,14 @@ class Settling(Observer):
         self.each.most = state["most"]
 
 
+@dataclass(frozen=True)
+class MovingAtEnd:
+    """The block that moves most, and its kinetic energy over what it stores."""
+
+    block: int
+    energy: float
+
+
 class Moving(Observer):
     """Kinetic energy of the block that moves most, over what it stores, at the last row; and which it is. Of what
     nothing drives, and what is no motion in time: elsewhere nobody asks whether it rests at the end."""
@@ -68,8 +77,8 @@ class Moving(Observer):
         super().restore(state)
         self.each.most = state["most"]
 
-    def found(self) -> dict[str, Any]:
-        return {"moving_at_end": (self.block, self.energy)}
+    def records(self) -> list[Any]:
+        return [MovingAtEnd(self.block, self.energy)]
 
 
 def unbalanced(model: Model, before: list[np.ndarray]) -> float:

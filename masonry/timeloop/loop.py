@@ -16,7 +16,7 @@ from masonry.errors import MovedTooFar, TurnedTooFar
 from masonry.loading.loading import Loading
 from masonry.model.model import Model
 from masonry.monitors.frames import Frames
-from masonry.monitors.observer import Observer, View
+from masonry.monitors.observer import Observer, ObserverRecords, View
 from masonry.monitors.recording import Recording
 from masonry.monitors.stability import Watch
 from masonry.rows.columns import FACTOR, INPUT_ENERGY, UNITS
@@ -223,8 +223,8 @@ class Loop:
         self.outcome.observed = {key: np.array(values) for key, values in self.observed.items()}
         if (energy_in := self.outcome.observed.pop(INPUT_ENERGY, None)) is not None:
             history.rows[INPUT_ENERGY] = energy_in
-        for observer in self.observers.values():
-            self.outcome.found |= observer.found()
+        each = (record for observer in self.observers.values() for record in observer.records())
+        self.outcome.records = ObserverRecords(each)
         self.peak.finish()
         self.outcome.take_extremes_of_rows()
         frames = {frame.step: frame for frame in [*self.frames, *self.peak.frames()]}

@@ -1,12 +1,13 @@
 """Outcome of a run."""
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
 from masonry.loading.loading import LoadingOutcome
+from masonry.monitors.collapse import Fallen
 from masonry.monitors.events import Event
+from masonry.monitors.observer import ObserverRecords
 from masonry.rows.history import History, Standing
 from masonry.rows.peak import before_a_collapse, borne, lowest_row, peak_row, turns_back
 from masonry.runtime.processors import Seconds
@@ -18,9 +19,9 @@ class Outcome:
     """What the loop found besides the rows: the peak seen at any step before a block had fallen, the share of the way
     through which it was borne until then, the share by which the force may have been higher between two steps, the
     largest force of a blow or after a fall (`blow`), and the lowest force; all but `blow` of rows where the drive
-    turned back; the times; what observers said at each row and of the whole run, by
-    their names for it; what came of the loading; the sudden cracks; the forces from outside and of the contacts at the
-    frames of the peak and of the end.
+    turned back; the times; what observers said at each row, by their names for it, and of the whole run; what came of
+    the loading; the sudden cracks; the forces from outside and of the contacts at the frames of the peak and of the
+    end.
     """
 
     history: History
@@ -34,7 +35,7 @@ class Outcome:
     seconds_run: Seconds = Seconds()
     seconds_compile: Seconds = Seconds()
     observed: dict[str, np.ndarray] = field(default_factory=dict)
-    found: dict[str, Any] = field(default_factory=dict)
+    records: ObserverRecords = field(default_factory=ObserverRecords)
     steps: int = 0
     interrupted: bool = False
     stopped: str = ""
@@ -46,8 +47,8 @@ class Outcome:
     @property
     def standing_rows(self) -> dict[str, np.ndarray]:
         """The rows at which no block had fallen, and that at which the first one had."""
-        fallen = self.found.get("collapse")
-        return before_a_collapse(self.history.rows, None if fallen is None else fallen[1])
+        fallen = self.records.get(Fallen)
+        return before_a_collapse(self.history.rows, None if fallen is None else fallen.step)
 
     def take_extremes_of_rows(self) -> None:
         """Where the drive turned back, its extremes are rows of the curve: between two of them a blow of one step, as

@@ -32,7 +32,8 @@ from masonry.laboratory.remarks.scenes import (
     tension,
     time_step,
 )
-from masonry.monitors.collapse import LeftFloor
+from masonry.monitors.collapse import Fallen, LeftFloor
+from masonry.monitors.observer import ObserverRecords
 from masonry.scene import load
 from tests.judgement.frames import HEIGHT, SIDE, frame, moved, on_a_slab
 from tests.large.made import slab
@@ -49,6 +50,11 @@ def said(doubts: list[Doubt], words: str) -> bool:
     """Whether exactly one doubt is raised, with these words and beyond its limit; nothing else may be."""
     assert len(doubts) <= 1 and all(words in doubt.sentence and doubt.excess >= 1.0 for doubt in doubts)
     return bool(doubts)
+
+
+def fell_at(step: int | None) -> ObserverRecords:
+    """What observers say of a run in which the first block had fallen at a step, or none."""
+    return ObserverRecords([] if step is None else [Fallen(3, step, {})])
 
 
 def inspected(assembly, frames: list | None = None, **outcome) -> Inspection:
@@ -121,7 +127,7 @@ def test_turns_on_beds_are_told_where_they_are_large_and_take_much_of_what_frict
     rows = {"external_work": np.array([0.0, -10.0]), "kinetic": np.array([0.0, now["kinetic"]])}
     rows["friction"] = np.array([0.0, now["friction"]])
     history = SimpleNamespace(frames=[frame(assembly, k) for k in (0, 1)], rows=rows)
-    inspection = inspected(assembly, history=history, found={"collapse": None})
+    inspection = inspected(assembly, history=history, records=ObserverRecords())
     share = 100.0 * now["turned"] / (now["turned"] + now["slid"])
     assert said(turned_beds.doubts(inspection), f"about {share:.0f} % of all sliding") == told
 
@@ -235,7 +241,7 @@ def test_what_moves_to_the_end_of_a_run_that_was_to_end_at_rest_is_told(of_all, 
     assert said(doubts, words) == bool(words)
 
 
-RISEN = {"borne_through": 0.005, "found": {"collapse": None}}
+RISEN = {"borne_through": 0.005, "records": ObserverRecords()}
 """A peak that has just risen, and nothing fell."""
 
 
@@ -267,7 +273,7 @@ def test_a_peak_that_was_there_for_a_hundredth_of_the_way_is_no_blow_whatever_ro
 @pytest.mark.parametrize(("share", "fallen", "told"), [(0.99, False, False), (1.01, False, True), (1.01, True, False)])
 def test_a_blow_that_does_not_count_is_told_where_nothing_fell(share, fallen, told):
     """What falls stands in `collapse`."""
-    run = struck(blow=share * 3e6, borne_through=1.0, found={"collapse": (1, 2, {}) if fallen else None})
+    run = struck(blow=share * 3e6, borne_through=1.0, records=fell_at(2 if fallen else None))
     assert said(blow.doubts(run), f"a blow of {6.0 * share:.4g} MPa is not counted for the peak") == told
 
 
@@ -311,9 +317,9 @@ def test_records_whose_acceleration_is_noise_are_told_at_a_peak_of_so_much_more_
 
 @pytest.mark.parametrize(("blocks", "others"), [(1, ""), (3, ", and 2 more later")])
 def test_blocks_that_left_the_floor_are_told_with_the_first_of_them_and_how_many_followed(blocks, others):
-    run = inspected(None, found={"left_floor": LeftFloor(4, 0.25, blocks)})
+    run = inspected(None, records=ObserverRecords([LeftFloor(4, 0.25, blocks)]))
     assert said(left_floor.doubts(run), f"block 4 had left the floor after 0.25 s{others}: what leaves it falls on")
-    assert not left_floor.doubts(inspected(None, found={"left_floor": None}))
+    assert not left_floor.doubts(inspected(None, records=ObserverRecords()))
 
 
 @pytest.mark.parametrize(
@@ -322,14 +328,14 @@ def test_blocks_that_left_the_floor_are_told_with_the_first_of_them_and_how_many
 def test_blocks_that_fall_on_shaken_ground_without_dashpots_are_told(shaken, dashpot, fell, told):
     pairs = SimpleNamespace(properties={"floor_units": {}, "unit_unit": {"normal_dashpot": float(dashpot)}})
     assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken), pairs=pairs)
-    run = inspected(assembly, found={"collapse": (3, 9, {}) if fell else None, "left_floor": None})
+    run = inspected(assembly, records=fell_at(9 if fell else None))
     assert said(hard_impacts.doubts(run), "no impact lost energy") == bool(told)
 
 
 @pytest.mark.parametrize(("shaken", "floor", "fell"), [(1, None, 1), (0, None, 1), (1, {}, 1), (1, None, 0)])
 def test_a_fall_off_shaken_ground_that_no_floor_ends_is_told(shaken, floor, fell):
     assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken, floor=floor, is_large=True))
-    run = inspected(assembly, found={"collapse": (3, 9, {}) if fell else None})
+    run = inspected(assembly, records=fell_at(9 if fell else None))
     assert said(uncaught_fall.doubts(run), "no floor catches them") == (shaken and floor is None and bool(fell))
 
 

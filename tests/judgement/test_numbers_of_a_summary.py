@@ -14,6 +14,9 @@ from masonry.loading.collapse.catching import CaughtFall
 from masonry.loading.collapse.factor_path import FactorPath
 from masonry.loading.collapse.outcome import CollapseOutcome
 from masonry.monitors.events import Event
+from masonry.monitors.mode_2_area import TakenInShear
+from masonry.monitors.observer import ObserverRecords
+from masonry.monitors.reactions import WorkDone
 from masonry.results.summary import Summary
 from masonry.rows.columns import UNITS
 from masonry.rows.history import Frame, History, Standing
@@ -56,12 +59,7 @@ def summary(
             rows[key][row] = value
     looks = ("unbalanced", "still_moving", "of_a_block", "energy_of_a_block", "block")
     observed = {key: np.zeros(8) for key in (*looks, "rotation", "overlap", "slip", "widest")}
-    found = {
-        "work_of_loads": np.array([0.5]),
-        "work_of_loads_settling": np.array([0.5]),
-        "mode_2_over_law": 1.0,
-        "compression": np.zeros(4),
-    }
+    records = ObserverRecords([WorkDone(np.array([0.5]), np.array([0.5])), TakenInShear(1.0, np.zeros(4))])
     nothing = np.zeros(6)
     standing = Standing(5000, 1e-3, np.zeros((3, 6)), np.zeros((1, 6)), nothing, nothing, np.zeros((4, 3)))
     outcome = Outcome(
@@ -69,7 +67,7 @@ def summary(
         peak_force=8e5 * SECTION,
         displacement_at_peak=4e-4,
         observed=observed,
-        found=found,
+        records=records,
         steps=5000,
         events=list(events),
         standing={"end": standing, "peak": standing},

@@ -18,7 +18,7 @@ from masonry.scene import load
 from tests.judgement.frames import frame, on_a_slab
 from tests.judgement.test_crushing_energy import SIDE, crushing_energy
 from tests.judgement.test_crushing_energy import inspection as crushed
-from tests.judgement.test_limits_of_remarks import EITHER_SIDE, inspected, said
+from tests.judgement.test_limits_of_remarks import EITHER_SIDE, fell_at, inspected, said
 
 DRIVEN = SimpleNamespace(accuracy=0.02)
 SMALL = SimpleNamespace(is_large=False, drive=DRIVEN, limit=None)
@@ -299,8 +299,8 @@ def test_turns_on_beds_count_up_to_the_frame_in_which_a_block_fell(fell, count, 
     assembly = on_a_slab()
     rows = {"external_work": np.array([0.0, -1.0]), "kinetic": np.zeros(2), "friction": np.array([0.0, 1.0])}
     history = SimpleNamespace(frames=[frame(assembly, k) for k in range(4)], rows=rows)
-    found = {"collapse": None if fell is None else (1, fell, {})}
-    assert turned_beds.doubts(inspected(assembly, history=history, found=found)) == [] and looked_at == [count]
+    inspection = inspected(assembly, history=history, records=fell_at(fell))
+    assert turned_beds.doubts(inspection) == [] and looked_at == [count]
 
 
 def test_points_reach_as_far_as_they_do_in_the_direction_in_which_they_reach_least():

@@ -205,9 +205,9 @@ def test_a_block_that_is_squeezed_or_stretched_too_far_is_told():
     look = LargestDeformation(1.02)
     for least, longest in ((0.99, 1.01), (0.75, 1.01), (0.9, 1.3)):
         look.look(None, View(None, least=least, longest=longest), 0)
-    squeezed, stretched = (doubt.sentence for doubt in of_strains(look.found()["deformation"]))
+    squeezed, stretched = (doubt.sentence for doubt in of_strains(look.records()[0]))
     assert squeezed.startswith("blocks are squeezed to 0.75 of their volume: below 0.8")
     assert stretched.startswith("blocks are stretched by 1.3, more than the 1.02")
     calm = LargestDeformation(1.02)
     calm.look(None, View(None, least=0.99, longest=1.01), 0)
-    assert of_strains(calm.found()["deformation"]) == []
+    assert of_strains(calm.records()[0]) == []

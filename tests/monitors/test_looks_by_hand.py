@@ -14,7 +14,7 @@ from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND
-from masonry.monitors.collapse import Collapse, LargestDeformation
+from masonry.monitors.collapse import Collapse, Fallen, LargestDeformation
 from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings, closed
 from masonry.monitors.reactions import WorkOfLoads, balance, moved_by, of_motion, open_by
@@ -121,9 +121,9 @@ def test_the_work_of_a_load_is_the_trapezoid_of_its_factor_over_the_way_that_it_
         model.bodies.rigid.q[1, 2] = down
         work.look(model, replace(seen(model), load_factors=[factor], settling=settling), 0)
     first, second = force * -0.02 * 0.5, force * 0.01 * 0.75
-    found = work.found()
-    assert found["work_of_loads"] == pytest.approx([first + second])
-    assert found["work_of_loads_settling"] == pytest.approx([first])
+    (done,) = work.records()
+    assert done.by_load == pytest.approx([first + second])
+    assert done.settling == pytest.approx([first])
 
 
 def test_damping_and_inertia_are_those_of_what_is_free_about_the_origin():
@@ -191,7 +191,7 @@ def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, fal
     look = Collapse(model)
     look.look(model, replace(seen(model), terms=CLOSED | {"kinetic": 3.0}), 11)
     energies = {key: value for key, value in CLOSED.items() if key != "imbalance"} | {"kinetic": 3.0}
-    assert look.found()["collapse"] == ((1, 11, energies) if falls else None)
+    assert look.records() == ([Fallen(1, 11, energies)] if falls else [])
     model.bodies.rigid.q[1, 2] = -9.0
     look.look(model, seen(model), 12)
     assert look.step == (11 if falls else 12), "the first time counts"
@@ -205,10 +205,11 @@ def test_what_slides_along_forces_of_inertia_has_not_fallen(monkeypatch):
     look, along_load = Collapse(model, (0.0, 0.0, -9.81)), Collapse(model)
     for one in (look, along_load):
         one.look(model, seen(model), 11)
-    assert look.found()["collapse"] is None and along_load.found()["collapse"] is not None
+    assert not look.has_fallen and along_load.has_fallen
     model.bodies.rigid.q[1, 2] = -0.051
     look.look(model, seen(model), 12)
-    assert look.found()["collapse"][:2] == (1, 12)
+    (record,) = look.records()
+    assert look.has_fallen and (record.block, record.step) == (1, 12)
 
 
 @pytest.mark.parametrize(("share", "stopped"), EITHER_SIDE)
@@ -245,7 +246,7 @@ def test_patches_that_crushed_by_a_tenth_of_the_thinner_block_end_the_run(share,
 def test_a_block_that_is_squeezed_below_eight_tenths_is_told(least, told):
     look = LargestDeformation(1.5)
     look.look(None, View(None, least=least, longest=1.0), 0)
-    assert bool(of_strains(look.found()["deformation"])) == told
+    assert bool(of_strains(look.records()[0])) == told
 
 
 @pytest.mark.parametrize(("wide", "counts"), [(0.99, True), (1.01, False)])

@@ -8,6 +8,8 @@ from masonry.assembly.assemble import Assembly
 from masonry.laboratory.summary.scales import Scales
 from masonry.laboratory.summary.symmetry import is_loaded_alike, symmetry_lost
 from masonry.monitors import events
+from masonry.monitors.collisions.pressed_patches import PatchCompression
+from masonry.monitors.mode_2_area import TakenInShear
 from masonry.results.joint_resultants import unit_joints
 from masonry.results.summary import Damage, SuddenCrack
 from masonry.timeloop.run_outcome import Outcome
@@ -35,7 +37,7 @@ def cracks(assembly: Assembly, outcome: Outcome, scales: Scales, sudden: list[Su
         broken_area_m2=areas_beyond(assembly, outcome, BROKEN),
         damaged_area_m2=areas_beyond(assembly, outcome, DAMAGED),
         symmetry_lost=symmetry_lost(joints, frames, lambda axis: is_loaded_alike(assembly, axis)),
-        mode_2_over_law=outcome.found["mode_2_over_law"],
+        mode_2_over_law=outcome.records[TakenInShear].over_law,
         slip_max=float(observed["slip"].max()) if "slip" in observed else None,
         slip_limit=assembly.scene.solver.slip_limit,
         compression_max_pa=max(pressed.values(), default=0.0),
@@ -74,12 +76,13 @@ def areas_beyond(assembly: Assembly, outcome: Outcome, threshold: float) -> dict
 
 def compressions(assembly: Assembly, outcome: Outcome) -> dict[str, float]:
     """Pa by contact group, the largest compression of a contact or of a point of patches at the rows."""
-    model, most = assembly.model, outcome.found
-    joints = most.get("compression", np.zeros(len(model.group)))
+    model, taken = assembly.model, outcome.records.get(TakenInShear)
+    joints = np.zeros(len(model.group)) if taken is None else taken.compression
     pressed = {name: float(joints[model.group == g].max(initial=0.0)) for g, name in enumerate(model.group_names)}
     if assembly.pairs is not None:
-        names = assembly.pairs.names
-        for name, compression in zip(names, most.get("patch_compression", np.zeros(len(names))).tolist(), strict=True):
+        names, of_patches = assembly.pairs.names, outcome.records.get(PatchCompression)
+        largest = np.zeros(len(names)) if of_patches is None else of_patches.largest
+        for name, compression in zip(names, largest.tolist(), strict=True):
             pressed[name] = max(pressed.get(name, 0.0), compression)
     return pressed
 

@@ -5,6 +5,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.energy import open_in_contacts
 from masonry.laboratory.summary.scales import Scales
+from masonry.monitors.reactions import WorkDone
 from masonry.results.summary import Energies
 from masonry.rows.columns import CRUSHING, ELEMENT_UNITS, LARGE_UNITS, UNITS
 from masonry.timeloop.run_outcome import Outcome
@@ -14,14 +15,13 @@ TERMS = [column for column, unit in UNITS.items() if unit == "J"]
 
 def energies(assembly: Assembly, outcome: Outcome, scales: Scales, released: float) -> Energies:
     """The ledger at the end, the works of drive and loads, and shares of them; released: J, by sudden cracks."""
-    rows, work_of_loads = outcome.history.rows, outcome.found["work_of_loads"]
-    after_settling = work_of_loads - outcome.found["work_of_loads_settling"]
+    rows, of_loads = outcome.history.rows, outcome.records[WorkDone]
     driven = assembly.scene.drive is not None
     return Energies(
-        work_of_drive_j=_work_of_drive(rows, scales.settled, after_settling) if driven else None,
+        work_of_drive_j=_work_of_drive(rows, scales.settled, of_loads.after_settling) if driven else None,
         work_of_force_j=float(scales.pushed[-1]) if driven and assembly.scene.is_large else None,
-        work_of_loads_j=_by_load(assembly, work_of_loads),
-        work_of_loads_after_settling_j=_by_load(assembly, after_settling),
+        work_of_loads_j=_by_load(assembly, of_loads.by_load),
+        work_of_loads_after_settling_j=_by_load(assembly, of_loads.after_settling),
         energy_j={key: float(rows[key][-1]) for key in (*TERMS, *LARGE_UNITS, CRUSHING, *ELEMENT_UNITS) if key in rows},
         energy_imbalance=float(np.abs(rows["imbalance"]).max() / scales.moved) if scales.moved > 0 else 0.0,
         dissipation_mismatch=_mismatch(assembly, rows, scales),

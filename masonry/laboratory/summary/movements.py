@@ -10,6 +10,8 @@ from masonry.laboratory.summary.measurements.free_swing import free_swings
 from masonry.laboratory.summary.measurements.shaken_specimen import shaking
 from masonry.laboratory.summary.moved_drive import moved_drive
 from masonry.model.damping import swing_of
+from masonry.monitors.collapse import Fallen
+from masonry.monitors.collisions.collision import Met
 from masonry.monitors.shaking_watch import BY_GROUND
 from masonry.results.summary import CollapseLoad, FirstFall, Moment, Movements
 from masonry.rows.columns import TILT
@@ -26,10 +28,11 @@ def movements(assembly: Assembly, outcome: Outcome) -> Movements:
     """The largest turn and overlap; in large displacement whether it is a motion in time, and what fell."""
     grown = outcome.loading.collapse_load(outcome.history.rows, assembly.specimen.sets)
     observed, large, scene = outcome.observed, assembly.scene.is_large, assembly.scene
+    met = outcome.records.get(Met)
     return Movements(
         rotation_max_rad=float(observed["rotation"].max()),
         overlap_max=float(observed["overlap"].max()),
-        met=outcome.found.get("met", "") or ("" if outcome.stopped else outcome.found.get("met_at_end", "")),
+        met="" if met is None else met.words or ("" if outcome.stopped else met.at_end),
         in_real_time=not assembly.model.scaled if scene.moves_in_time else None,
         free_swings=free_swings(assembly, outcome),
         damping_after_settling=swing_of(scene.damping).words if scene.swings else None,
@@ -46,11 +49,10 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> FirstFall | None:
     `began` says the same of when the fall began: the last row before at which nothing moved but as the drive does. None
     without one, and where too much changed while the fall gained speed, which `began_unknown` then says.
     """
-    if outcome.found["collapse"] is None:
+    if (fallen := outcome.records.get(Fallen)) is None:
         return None
-    block, step, energies = outcome.found["collapse"]
-    rows, specimen = outcome.history.rows, assembly.specimen
-    row = int(np.searchsorted(rows["step"], step))
+    rows, specimen, block = outcome.history.rows, assembly.specimen, fallen.block
+    row = int(np.searchsorted(rows["step"], fallen.step))
     last, time = (
         (None, 0.0) if assembly.scene.ground else beginning(rows, row)
     )  # what is shaken is never at rest before
@@ -66,7 +68,7 @@ def _collapse(assembly: Assembly, outcome: Outcome) -> FirstFall | None:
         began=None if unknown else began,
         began_unknown=unknown,
         blow_pa=outcome.blow / specimen.section if outcome.blow > outcome.peak_force else None,
-        energy_j=energies,
+        energy_j=fallen.energies,
     )
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from masonry.assembly.assemble import Assembly
 from masonry.configuration.parts.loose_blocks import loose_blocks
 from masonry.judgement.words import block_at
+from masonry.monitors.settling import MovingAtEnd
 from masonry.monitors.stability import smallest_block
 from masonry.results.deformation import BlockCorners
 from masonry.results.summary import Rest, Restless
@@ -45,8 +46,8 @@ def _after_settling(assembly: Assembly, outcome: Outcome) -> Restless | None:
 
 def _at_end(assembly: Assembly, outcome: Outcome) -> Restless | None:
     """The block that moves most."""
-    moving = outcome.found.get("moving_at_end")
-    return None if moving is None else Restless(moving[0], _place(assembly, moving[0]), kinetic=moving[1])
+    moving = outcome.records.get(MovingAtEnd)
+    return None if moving is None else Restless(moving.block, _place(assembly, moving.block), kinetic=moving.energy)
 
 
 def _came_loose(assembly: Assembly, outcome: Outcome) -> str:

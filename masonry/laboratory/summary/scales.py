@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.loading.plan import Plan
 from masonry.model.model import Model
+from masonry.monitors.reactions import WorkDone
 from masonry.rows.columns import CRUSHING, dissipated_in
 from masonry.rows.peak import before_a_fall, only_rises
 from masonry.scene import Scene
@@ -60,7 +61,7 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
     before_fall = before_a_fall(rows, outcome.loading.falls) if scene.loops_over else rows
     pushed, in_real_time = work_of_force(rows), scene.moves_in_time and not model.scaled
     work = float(np.abs(rows["external_work"]).max())
-    moved = max(work, float(np.abs(outcome.found["work_of_loads"]).max(initial=0.0)))
+    moved = max(work, float(np.abs(outcome.records[WorkDone].by_load).max(initial=0.0)))
     dissipated = sum(float(rows[key][-1]) for key in dissipated_in(rows))
     taken = _taken(before_fall, settled, in_real_time)
     return Scales(

@@ -1,6 +1,7 @@
 """Blocks without a joint that meet during a run: nothing holds them apart, so the run stops and names both."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,14 @@ CLOSURES = 3.0
 """Times the largest closure of any contact, up to which an overlap may be elastic: corners are squeezed like faces."""
 FLAT = 1e-9
 """Share of the specimen within which the faces of a block are one plane, and the block is convex."""
+
+
+@dataclass(frozen=True)
+class Met:
+    """In words, what met in the run, and what lies on each other at its end; "" where nothing does."""
+
+    words: str
+    at_end: str
 
 
 class Collision(Observer):
@@ -67,8 +76,8 @@ class Collision(Observer):
             self._look(step, view.seen.opening, view.rotation)
         return {}
 
-    def found(self) -> dict[str, Any]:
-        return {"met": self.words, "met_at_end": self.last}
+    def records(self) -> list[Any]:
+        return [Met(self.words, self.last)]
 
     def _look(self, step: int, opening: np.ndarray, rotation: float) -> None:
         """Opening (C,) m of all contacts, rotation: the largest so far, rad."""

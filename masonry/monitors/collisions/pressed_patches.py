@@ -1,5 +1,6 @@
 """The largest compression of the points of patches at the rows so far."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -7,6 +8,13 @@ import numpy as np
 from masonry.configuration.configuration import configuration_of
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
+
+
+@dataclass(frozen=True)
+class PatchCompression:
+    """The largest compression (R,) Pa of a point of patches, by row of the rules."""
+
+    largest: np.ndarray
 
 
 class PressedPatches(Observer):
@@ -21,5 +29,5 @@ class PressedPatches(Observer):
         np.maximum(self.pressed, configuration_of(model).patch_compressions(), out=self.pressed)
         return {}
 
-    def found(self) -> dict[str, Any]:
-        return {"patch_compression": self.pressed}
+    def records(self) -> list[Any]:
+        return [PatchCompression(self.pressed)]

@@ -7,6 +7,7 @@ any rows may pass by its peak.
 
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.monitors.collapse import Fallen
 
 LIMIT, THROUGH = 1.2, 1e-2
 """Peak over the highest row; share of the way for which it had been there, as it is said in docs/results.md, half of
@@ -20,7 +21,7 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     after = rows["step"] >= assembly.plan.settle
     highest = float(rows["stress"][after].max(initial=0.0))
     how_hard = "how hard blocks strike depends on the stiffness of their contacts"
-    if outcome.blow > outcome.peak_force > 0.0 and outcome.found.get("collapse") is None:
+    if outcome.blow > outcome.peak_force > 0.0 and outcome.records.get(Fallen) is None:
         struck = f"a blow of {1e-6 * outcome.blow / section:.4g} MPa is not counted for the peak: {how_hard}"
         above = outcome.blow / outcome.peak_force
         return [Doubt("blow", above, 1.0, struck, "look at the curve and the movie for what struck the drive")]

@@ -13,7 +13,7 @@ SQUEEZED = 0.8
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """Of the most in any row."""
-    strains: Strains | None = inspection.outcome.found.get("deformation")
+    strains = inspection.outcome.records.get(Strains)
     return [] if strains is None else of_strains(strains)
 
 

@@ -6,14 +6,15 @@ Asked of shaken scenes in large displacement in which a block has fallen, or has
 
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.monitors.collapse import Fallen, LeftFloor
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
-    scene, pairs, found = inspection.assembly.scene, inspection.assembly.pairs, inspection.outcome.found
+    scene, pairs, records = inspection.assembly.scene, inspection.assembly.pairs, inspection.outcome.records
     if not scene.ground or pairs is None or any(one.get("normal_dashpot") for one in pairs.properties.values()):
         return []
-    if found["collapse"] is None and found["left_floor"] is None:
+    if records.get(Fallen) is None and records.get(LeftFloor) is None:
         return []
     sentence = "blocks fell, and no impact lost energy: what hits the ground bounces, and may knock down what stood"
     return [Doubt("hard_impacts", 0.0, None, sentence, "give contacts a restitution, or a normal_dashpot")]

@@ -7,7 +7,7 @@ from masonry.monitors.collapse import LeftFloor
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
-    left: LeftFloor | None = inspection.outcome.found.get("left_floor")
+    left = inspection.outcome.records.get(LeftFloor)
     if left is None:
         return []
     others = f", and {left.blocks - 1} more later" if left.blocks > 1 else ""

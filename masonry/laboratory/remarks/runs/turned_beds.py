@@ -11,6 +11,7 @@ from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.edge_reach import points_are_chosen
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.monitors.collapse import Fallen
 from masonry.results.deformation import BlockCorners, Deformation
 from masonry.rows.history import Frame
 
@@ -23,8 +24,8 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     assembly, outcome, frames = inspection.assembly, inspection.outcome, inspection.frames
     if not assembly.scene.is_large or points_are_chosen(inspection.assembly) or len(frames) < 2:
         return []
-    rows, fallen = outcome.history.rows, outcome.found["collapse"]
-    frames = [frame for frame in frames if fallen is None or frame.step <= fallen[1]]
+    rows, fallen = outcome.history.rows, outcome.records.get(Fallen)
+    frames = [frame for frame in frames if fallen is None or frame.step <= fallen.step]
     work = max(float(np.abs(rows[key]).max()) for key in ("external_work", "kinetic"))
     if not len(assembly.joints.area) or float(rows["friction"].max()) < MATTERS * work:
         return []

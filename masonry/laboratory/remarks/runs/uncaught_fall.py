@@ -6,14 +6,15 @@ Asked of shaken scenes in large displacement without [floor].
 
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.inspection import Inspection
+from masonry.monitors.collapse import Fallen
 
 ADVICE = "add an empty [floor], and a table [contact.default] or those of the groups that may fall on it"
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
-    scene, found = inspection.assembly.scene, inspection.outcome.found
-    if not scene.ground or not scene.is_large or scene.floor is not None or found["collapse"] is None:
+    scene, fallen = inspection.assembly.scene, inspection.outcome.records.get(Fallen)
+    if not scene.ground or not scene.is_large or scene.floor is not None or fallen is None:
         return []
     sentence = "blocks fell, and no floor catches them: what gauges read after the first fall is their way down"
     return [Doubt("uncaught_fall", 0.0, None, sentence, ADVICE)]
