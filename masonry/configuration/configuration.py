@@ -11,6 +11,7 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.large import LargeDisplacement
 from masonry.configuration.small import SmallDisplacement
+from masonry.elements.joints.joint_crushing import JointCrushing
 from masonry.jit.compiled_parts import StepCalls
 from masonry.model.model import Model
 
@@ -20,11 +21,13 @@ class Configuration(Protocol):
 
     any_size  whether blocks may turn, fall and meet others as they like; else displacements are linear in rotations,
               and contacts stay those of the undeformed shape
+    crushing  what answers for joints that crush, and for those that do not
     columns   what the energy ledger has besides the columns of each run
     leap      share of the smallest block by which a dof that moves in one step is no motion but an instability
     """
 
     any_size: bool
+    crushing: JointCrushing
     columns: tuple[str, ...]
     leap: float
 
@@ -72,12 +75,6 @@ class Configuration(Protocol):
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
         they are."""
-
-    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        """The most plastic closing of two blocks that meet by patches, likewise."""
-
-    def crushed(self) -> np.ndarray | None:
-        """(C,) m, plastic closing of the joints now, by bonds and patches; None where crushing is not modelled."""
 
     def patch_compressions(self) -> np.ndarray:
         """(R,) Pa, the largest compression of a point of patches now, by which contact table serves them."""

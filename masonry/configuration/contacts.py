@@ -7,7 +7,6 @@ import numpy as np
 from masonry.jit.compiled_parts import Call
 from masonry.kernels import contact
 from masonry.model.model import Model
-from masonry.rows.columns import CRUSHING
 
 
 class ContactsLook:
@@ -34,13 +33,6 @@ class ContactsLook:
         for call in self.calls():
             call()
         return float(self.energy[0])
-
-
-def crushing_of(model: Model) -> dict[str, float]:
-    """J that crushing took in the contacts of the undeformed shape, under the name of its column; nothing where it is
-    not modelled."""
-    crushed = model.state.crushed
-    return {} if crushed is None else {CRUSHING: float(model.joints.area @ crushed[:, 2])}
 
 
 def taken_by_dashpots(model: Model) -> float:

@@ -8,26 +8,25 @@ import numpy as np
 from masonry.configuration.chunk import Chunk, begin_at, with_calls
 from masonry.configuration.contacts import (
     ContactsLook,
-    crushing_of,
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
     taken_by_dashpots,
 )
-from masonry.configuration.crushed_joints import CrushedJoints, most_crushed
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import joined, written_arrays, written_in_large
 from masonry.elements.element import stiffened
+from masonry.elements.joints.joint_crushing import crushing_of_joints
 from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, BORN, CRUSHED, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
+from masonry.patches.arrays import AREA, BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
 from masonry.patches.measures import compressions, deepest, stored_energy
-from masonry.rows.columns import CRUSHING, LARGE_UNITS
+from masonry.rows.columns import LARGE_UNITS
 
 ROUNDED = 1e-6
 """Of the momentum over a time step: forces below are measured by it. Rounding makes 1e-16 of it."""
@@ -41,7 +40,8 @@ class LargeDisplacement:
 
     def __init__(self, model: Model, large: Large) -> None:
         self.model, self.parts, self.stepper, self.contacts = model, large, Stepper(), ContactsLook(model)
-        self.columns: tuple[str, ...] = (*LARGE_UNITS, *self._crushing())
+        self.crushing = crushing_of_joints(model, large)
+        self.columns: tuple[str, ...] = (*LARGE_UNITS, *self.crushing.taken())
         self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
         self.compressions, self.compression = (
             RepeatedCall(compressions),
@@ -95,7 +95,7 @@ class LargeDisplacement:
             rules.keep[:], rules.gain[:] = (acts * numbers for numbers in (dashpots.keep, dashpots.gain))
 
     def after_row(self) -> None:
-        retire(self.model, self.parts)
+        retire(self.model, self.parts, self.crushing)
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
         stored, seen[...] = self.contacts.look(), self.contacts.seen
@@ -129,15 +129,8 @@ class LargeDisplacement:
             "dashpot": float(account[DASHPOT]) + taken_by_dashpots(self.model),
             "redetection": float(account[SHEAR_LOST]),
             "area": -float(account[NORMAL_GAINED] + account[BORN]),
-            **self._crushing(),
+            **self.crushing.taken(),
         }
-
-    def _crushing(self) -> dict[str, float]:
-        """J that crushing took in bonds and patches, under the name of its column; nothing where it is not modelled."""
-        near, in_bonds = self.parts.near, crushing_of(self.model)
-        if near.crushed is None:
-            return in_bonds
-        return {CRUSHING: in_bonds.get(CRUSHING, 0.0) + float(near.account[CRUSHED])}
 
     @cached_property
     def _joint_forces(self) -> JointForces:
@@ -179,16 +172,6 @@ class LargeDisplacement:
         a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
         return float(self.deepest_overlap[0]), (int(a), int(b))
 
-    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        return most_crushed(self.parts.near, width)
-
-    def crushed(self) -> np.ndarray | None:
-        return None if self._crushed_joints is None else self._crushed_joints.closing()
-
-    @cached_property
-    def _crushed_joints(self) -> CrushedJoints | None:
-        return None if self.parts.near.crushed is None else CrushedJoints(self.model, self.parts)
-
     def patch_compressions(self) -> np.ndarray:
         self.compression[:] = 0.0
         self._compressions()()
@@ -208,7 +191,7 @@ class LargeDisplacement:
         )
 
     def written(self) -> dict[str, np.ndarray]:
-        return joined(written_arrays(self.model), written_in_large(self.model, self.parts))
+        return joined(written_arrays(self.model, (self.crushing,)), written_in_large(self.model, self.parts))
 
     def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
         make_room_for(self.parts, saved)

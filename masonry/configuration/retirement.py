@@ -9,13 +9,12 @@ from geometry.joints.extents import joint_extents
 from masonry.configuration.contacts import ContactsLook
 from masonry.configuration.joint_forces import bond_forces
 from masonry.configuration.room import make_room
-from masonry.detection.narrow import FACE
+from masonry.elements.joints.joint_crushing import JointCrushing
 from masonry.kinematics.planes import plane_of
 from masonry.laws.state import JointProperties, softens_in_shear
 from masonry.model.large.meeting import Large, keys
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, NORMAL_GAINED, PLACE, SHEAR, SHEAR_LOST, Near
-from masonry.patches.crushed_points import CLOSING, HARDENING
+from masonry.patches.arrays import AREA, NORMAL_GAINED, SHEAR, SHEAR_LOST, Near
 from masonry.patches.press import pressing_gap, stored
 from masonry.patches.refreshing import refresh
 from masonry.patches.slack import hold
@@ -31,16 +30,16 @@ like others: what is left of the joint would not let them touch elsewhere."""
 
 class Carried(NamedTuple):
     """Load of the bonds of two blocks: force (3,) N on the first one; J that they hold by pressure and by shear; and
-    where they were (n, 3) m in the undeformed shape, and how far crushed (n, 2) m, None where nothing crushes."""
+    where they were (n, 3) m in the undeformed shape, and how far crushed, as of JointCrushing.to_hand_over."""
 
     force: np.ndarray
     pressed: float
     sheared: float
     place: np.ndarray
-    crushed: np.ndarray | None
+    crushed: np.ndarray
 
 
-def retire(model: Model, large: Large) -> None:
+def retire(model: Model, large: Large, crushing: JointCrushing) -> None:
     """Let the bonds between two blocks go once all of them are broken; patches take over what they carry.
 
     What the bonds dissipated is final. What their springs hold is booked as lost, and what the new points hold as
@@ -58,14 +57,13 @@ def retire(model: Model, large: Large) -> None:
     going = np.flatnonzero(broken & ~np.isin(key, key[bonds.alive & ~broken]))
     if len(going) == 0:
         return
-    left = _carried(model, large, key[going], going)
+    left = _carried(model, large, crushing, key[going], going)
     contacts = ContactsLook(model)
     before = contacts.look()
     bonds.alive[going] = False
     bonds.runs[:, 3] = np.where(bonds.alive[bonds.runs[:, 2]], bonds.runs[:, 3], bonds.runs[:, 2])
     large.parted[going] = model.state.slip[going]  # here the law is elastic, and bears nothing
-    if model.state.crushed is not None:
-        large.parted[going] -= model.state.crushed[going, :1] * model.contacts.normal[going]
+    crushing.part(large.parted, going)
     model.contacts.area[going] = 0.0
     model.contacts.force[going] = bonds.force[going] = 0.0
     sheared = sum(one.sheared for one in left.values())
@@ -76,7 +74,7 @@ def retire(model: Model, large: Large) -> None:
     while refresh(large.near) < 0.0:
         make_room(model, large)
     for blocks, pairs in _pairs_of(large.near, left.keys(), count).items():
-        _hand_over(large.near, pairs, left[blocks])
+        _hand_over(large.near, crushing, pairs, left[blocks])
 
 
 def _broken(model: Model, large: Large) -> np.ndarray:
@@ -125,7 +123,9 @@ def _hinges(model: Model, large: Large) -> np.ndarray:
     return np.asarray(breaks[model.group] & pressed & (cosine < np.cos(HINGE)))
 
 
-def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> dict[int, Carried]:
+def _carried(
+    model: Model, large: Large, crushing: JointCrushing, key: np.ndarray, which: np.ndarray
+) -> dict[int, Carried]:
     """Load of the bonds `which`, by the key (R,) of their two blocks."""
     normal, force, area = (array[which] for array in (model.contacts.normal, model.contacts.force, model.contacts.area))
     kn, ks = (
@@ -139,11 +139,10 @@ def _carried(model: Model, large: Large, key: np.ndarray, which: np.ndarray) -> 
     sheared = np.bincount(of, np.divide(across, 2.0 * ks * area, out=np.zeros(len(ks)), where=ks > 0.0))
     total = np.zeros((len(pairs), 3))
     np.add.at(total, of, bond_forces(model, large, which))
-    crushed, carried = model.state.crushed, {}
+    carried = {}
     for k, (blocks, *one) in enumerate(zip(pairs, total, pressed, sheared, strict=True)):
         own, (force, pressure, shear) = which[of == k], one
-        closings = None if crushed is None else np.array(crushed[own, :2])
-        carried[int(blocks)] = Carried(force, pressure, shear, model.joints.point[own], closings)
+        carried[int(blocks)] = Carried(force, pressure, shear, model.joints.point[own], crushing.to_hand_over(own))
     return carried
 
 
@@ -157,7 +156,7 @@ def _pairs_of(near: Near, wanted: Collection[int], count: int) -> dict[int, list
     return touching
 
 
-def _hand_over(near: Near, which: list[int], left: Carried) -> None:
+def _hand_over(near: Near, crushing: JointCrushing, which: list[int], left: Carried) -> None:
     """Give the points of the new patches of two blocks what their bonds carried: as much energy of pressure, by a slack
     of their gaps, and as much shear force, spread as the pressure is. So faces that dilated stay apart as they slide on
     under pressure. They hold no more energy of shear than the bonds did; where friction bears less than that, it
@@ -165,7 +164,7 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
     pairs, points, motion, rules = near.pairs, near.points, near.motion, near.rules
     held = {}
     for p in which:
-        _hand_over_crushing(near, p, left)
+        crushing.hand_over(p, left.place, left.crushed)
         near.account[NORMAL_GAINED] -= stored(pairs, points, rules, motion, p)[0]
         pairs.slack[p] = 0.0
         held[p] = stored(pairs, points, rules, motion, p)[0]
@@ -194,21 +193,6 @@ def _hand_over(near: Near, which: list[int], left: Carried) -> None:
         k = np.arange(len(pressures[p]))
         points.quads[k // FOUR, pairs.slot[p], SHEAR:, k % FOUR] = less * tractions[p].T
     near.account[SHEAR_LOST] -= less**2 * sheared
-
-
-def _hand_over_crushing(near: Near, p: int, left: Carried) -> None:
-    """The points of a patch of two faces are crushed as the bonds next to them were; their faces are told at the next
-    look. What they hold is booked as if they had been so before."""
-    crushed, s, own = near.points.crushed, near.pairs.slot[p], near.pairs.points_of[p]
-    if crushed is None or left.crushed is None or near.pairs.witness[p, 0] != FACE:
-        return
-    pressed = stored(near.pairs, near.points, near.rules, near.motion, p)[0]
-    k = np.arange(near.points.number[s])
-    place = near.motion.centre[near.pairs.body[p, own]] + near.points.quads[k // FOUR, s, PLACE : PLACE + 3, k % FOUR]
-    next_to_it = np.argmin(np.sum((left.place - place[:, None]) ** 2, axis=2), axis=1)
-    for row, closings in zip((CLOSING, HARDENING), left.crushed.T, strict=True):
-        crushed[s, k // FOUR, row, k % FOUR] += closings[next_to_it]
-    near.account[NORMAL_GAINED] += stored(near.pairs, near.points, near.rules, near.motion, p)[0] - pressed
 
 
 def _pressed(near: Near, which: list[int], energy: float) -> dict[int, float]:

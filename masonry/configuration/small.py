@@ -8,7 +8,6 @@ import numpy as np
 from masonry.configuration.chunk import Chunk, begin_at, with_calls
 from masonry.configuration.contacts import (
     ContactsLook,
-    crushing_of,
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
@@ -17,6 +16,7 @@ from masonry.configuration.contacts import (
 from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
 from masonry.elements.element import acting_on_blocks, stiffened, with_elements
+from masonry.elements.joints.joint_crushing import crushing_of_contacts
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.step import step
@@ -34,7 +34,8 @@ class SmallDisplacement:
 
     def __init__(self, model: Model) -> None:
         self.model, self.stepper, self.contacts = model, Stepper(), ContactsLook(model)
-        self.columns: tuple[str, ...] = (*(() if model.dashpots is None else (DASHPOT,)), *crushing_of(model))
+        self.crushing = crushing_of_contacts(model)
+        self.columns: tuple[str, ...] = (*(() if model.dashpots is None else (DASHPOT,)), *self.crushing.taken())
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         model = self.model
@@ -67,7 +68,7 @@ class SmallDisplacement:
 
     def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
         damped = {} if self.model.dashpots is None else {DASHPOT: taken_by_dashpots(self.model)}
-        return {**damped, **crushing_of(self.model)}
+        return {**damped, **self.crushing.taken()}
 
     def joint_forces(self) -> np.ndarray:
         return np.array(self.model.contacts.force)
@@ -112,12 +113,6 @@ class SmallDisplacement:
     def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
         return 0.0, (0, 0)
 
-    def most_crushed(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        return 0.0, (0, 0)
-
-    def crushed(self) -> np.ndarray | None:
-        return None if self.model.state.crushed is None else np.array(self.model.state.crushed[:, 0])
-
     def patch_compressions(self) -> np.ndarray:
         return np.zeros(0)
 
@@ -131,7 +126,7 @@ class SmallDisplacement:
         )
 
     def written(self) -> dict[str, np.ndarray]:
-        return written_arrays(self.model)
+        return written_arrays(self.model, (self.crushing,))
 
     def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
         pass

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from masonry.elements.element import Elements
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
 from masonry.patches.pairs import COLUMNS
@@ -74,7 +75,7 @@ class WrittenOfSearch(NamedTuple):
 Arrays = dict[str, np.ndarray]
 
 
-def written_arrays(model: Model) -> Arrays:
+def written_arrays(model: Model, of_joints: Elements) -> Arrays:
     """By name, what is written in any model; what contacts remember once, whoever looks at it."""
     arrays: dict[str, np.ndarray | None] = {"u": model.contacts.u, "force": model.contacts.force}
     for kind, body in zip(model.layout.members, model.bodies, strict=True):
@@ -82,7 +83,7 @@ def written_arrays(model: Model) -> Arrays:
             arrays |= _fields(kind, WrittenOfBodies, body)
     if model.dashpots is not None:
         arrays |= _fields("dashpots", WrittenOfDashpots, model.dashpots)
-    for element in model.elements:
+    for element in (*of_joints, *model.elements):
         arrays = joined(arrays, {f"{element.name}.{name}": array for name, array in element.written().items()})
     for g, contacts in enumerate((model.state, *model.groups.states)):
         seen = {id(array) for array in arrays.values()}
@@ -99,8 +100,6 @@ def written_in_large(model: Model, large: Large) -> Arrays:
     if large.members is not None:
         arrays |= _fields("motion", WrittenOfMotion, near.motion) | {"rotations": large.bonds.frames}
     arrays |= {f"pairs.{name}": getattr(near.pairs, name) for name in ("number", *COLUMNS)}
-    if near.crushed is not None:
-        arrays |= {f"crushed.{name}": getattr(near.crushed, name) for name in ("closing", "hardening", "begun")}
     return arrays | {f"points.{name}": array for name, array in near.points._asdict().items() if array is not None}
 
 

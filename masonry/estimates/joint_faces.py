@@ -251,7 +251,7 @@ def _rounds(assembly: Assembly) -> np.ndarray:
     """(m, 2) of `rounds_of` for the patches of a scene."""
     if assembly.scene.specimen.patch_points == "spread":
         return SPREAD
-    return rounds_of(points_along(assembly.scene, assembly.model.state.crushed is not None))
+    return rounds_of(points_along(assembly.scene, assembly.model.crushes))
 
 
 def _of_patch(

@@ -123,6 +123,11 @@ class Model:
         """Whether some contacts are patches, or will be where blocks that are apart meet: those show no stress."""
         return self.large is not None and not (len(self.group) > 0 and bool(self.alive.all()))
 
+    @property
+    def crushes(self) -> bool:
+        """Whether contacts of the undeformed shape may crush."""
+        return self.state.crushed is not None
+
     def contact(self, c: int) -> str:
         """A contact in words, to blame it in a message."""
         a, b = self.joints.block_a[c], self.joints.block_b[c]

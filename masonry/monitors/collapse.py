@@ -97,15 +97,16 @@ class Collapse(Observer):
             self._look_below(model, step)
         opening, overlap = view.seen.opening, self._overlap(model, step)
         if model.swept:
-            require_bearing(model, self.extent, step)
-            closures = np.where(model.alive, closed(model, opening) / self.extent, 0.0)
+            crushing = self.configuration.crushing
+            require_bearing(model, crushing, self.extent, step)
+            closures = np.where(model.alive, closed(crushing, opening) / self.extent, 0.0)
             overlap = max(overlap, float(closures.max(initial=0.0)))
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
     def _overlap(self, model: Model, step: int) -> float:
         """The deepest overlap of two blocks, over the least width of the thinner one. Raises Stopped above a half, and
         MovedTooFar where they crushed by more than a tenth."""
-        share, pair = self.configuration.most_crushed(self.width)
+        share, pair = self.configuration.crushing.in_patches(self.width)
         if share > CRUSHED:
             raise MovedTooFar(
                 f"step {step}: {model.two_blocks(*pair)} have crushed where they meet by {share:.3g} of the width of "

@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from masonry.configuration.configuration import configuration_of
 from masonry.model.model import Model
 from masonry.runtime.state_file import State
 
@@ -28,7 +29,7 @@ class SuddenCracks:
     """
 
     def __init__(self, model: Model) -> None:
-        self.model = model
+        self.model, self.crushing = model, configuration_of(model).crushing
         self.events: list[Event] = []
         self.going_on = False
         self.calm(0)
@@ -53,10 +54,8 @@ class SuddenCracks:
 
     def _densities(self) -> np.ndarray:
         """(C, 3) J/m2 that each contact has dissipated, or (C, 4) with crushing: a copy."""
-        dissipated, crushed = self.model.state.dissipated, self.model.state.crushed
-        if dissipated is None:
-            return np.zeros((0, 3))
-        return dissipated.copy(order="K") if crushed is None else np.column_stack([dissipated, crushed[:, 2]])
+        dissipated = self.model.state.dissipated
+        return np.zeros((0, 3)) if dissipated is None else self.crushing.densities(dissipated)
 
     def _energies(self, densities: np.ndarray) -> np.ndarray:
         """(C,) J."""

@@ -54,7 +54,7 @@ class Frames:
             damage_tension=1.0 - model.state.intact_n,
             damage_shear=1.0 - model.state.intact_s,
             stress=stress,
-            crushing=self.configuration.crushed(),
+            crushing=self.configuration.crushing.closing(),
             shear=shear,
         )
 

@@ -3,6 +3,8 @@
 import numpy as np
 
 from geometry.polyhedra import measures
+from masonry.configuration.configuration import configuration_of
+from masonry.elements.joints.joint_crushing import JointCrushing
 from masonry.errors import MovedTooFar
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
@@ -16,35 +18,30 @@ class Openings(Observer):
     along its normal."""
 
     def __init__(self, model: Model) -> None:
-        self.extent = thinner(model)
+        self.extent, self.crushing = thinner(model), configuration_of(model).crushing
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
         """Raise MovedTooFar if a contact crushed by more than a tenth of a block."""
         opening = view.seen.opening
-        require_bearing(model, self.extent, step)
+        require_bearing(model, self.crushing, self.extent, step)
         return {
             "widest": float(opening.max(initial=0.0)),
-            "overlap": float((closed(model, opening) / self.extent).max(initial=0.0)),
+            "overlap": float((closed(self.crushing, opening) / self.extent).max(initial=0.0)),
         }
 
 
-def closed(model: Model, opening: np.ndarray) -> np.ndarray:
+def closed(crushing: JointCrushing, opening: np.ndarray) -> np.ndarray:
     """(C,) m by which the springs of contacts close: what they crushed is a loss of the joint, and no overlap."""
-    crushed = model.state.crushed
-    return -opening if crushed is None else -opening - crushed[:, 0]
+    return np.asarray(-opening - crushing.of_contacts())
 
 
-def require_bearing(model: Model, extent: np.ndarray, step: int) -> None:
+def require_bearing(model: Model, crushing: JointCrushing, extent: np.ndarray, step: int) -> None:
     """Raise MovedTooFar, naming the contact that crushed most, where that is too much; extent (C,) m: `thinner`."""
-    crushed = model.state.crushed
-    if crushed is None:
-        return
-    share = crushed[:, 0] / extent
-    worst = int(np.argmax(share))
-    if share[worst] > CRUSHED:
+    ratio, worst = crushing.in_contacts(extent)
+    if ratio > CRUSHED:
         raise MovedTooFar(
-            f"step {step}: {model.contact(worst)} has crushed by {crushed[worst, 0]:.3g} m, {share[worst]:.3g} of the "
-            "thinner of its blocks: what is left of its strength does not bear what presses it"
+            f"step {step}: {model.contact(worst)} has crushed by {crushing.of_contacts()[worst]:.3g} m, {ratio:.3g} of "
+            "the thinner of its blocks: what is left of its strength does not bear what presses it"
         )
 
 

@@ -5,6 +5,7 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration import retirement
+from masonry.elements.joints.joint_crushing import crushing_of_joints
 from masonry.patches.arrays import PLACE, SHEAR
 from masonry.patches.crushed_points import CLOSING
 from masonry.simd import FOUR
@@ -64,15 +65,17 @@ def test_bonds_carry_the_energies_of_their_pressure_and_shear():
     model = glued()
     key, four = np.zeros(4, dtype=int), np.arange(4)
     whole = pressed(model, -2e5, 1e5)
-    carried = retirement._carried(model, model.large, key, four)[0]
+    carried = retirement._carried(model, model.large, crushing_of_joints(model, model.large), key, four)[0]
     assert carried.force == pytest.approx(whole)
     assert carried.pressed == pytest.approx(0.01 * 4e10 / (2.0 * KN))
     assert carried.sheared == pytest.approx(0.01 * 1e10 / (2.0 * KS))
     pressed(model, 2e5, 1e5)
-    assert retirement._carried(model, model.large, key, four)[0].pressed == 0.0
+    assert retirement._carried(model, model.large, crushing_of_joints(model, model.large), key, four)[0].pressed == 0.0
     area = model.contacts.area.copy()
     model.contacts.force[0] *= 2.0
-    twice = retirement._carried(model, model.large, np.array([7, 8, 8, 8]), four)
+    twice = retirement._carried(
+        model, model.large, crushing_of_joints(model, model.large), np.array([7, 8, 8, 8]), four
+    )
     assert (
         twice[7].sheared
         == pytest.approx(4.0 * area[0] * 1e10 / (2.0 * KS))
@@ -90,7 +93,7 @@ def test_patches_take_over_the_pressure_and_the_shear_of_bonds_that_go(sunk, she
     model.large.parted[...] = -2e-5 * model.contacts.normal
     force = pressed(model, -2e5, shear)
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
-    retirement.retire(model, model.large)
+    retirement.retire(model, model.large, crushing_of_joints(model, model.large))
     near, bonds = model.large.near, model.large.bonds
     assert not bonds.alive.any() and not model.contacts.area.any() and not bonds.force.any()
     springs = 0.01 * 4e10 / (2.0 * KN) + 0.01 * shear**2 / (2.0 * KS)
@@ -119,7 +122,7 @@ def test_patches_take_over_how_far_bonds_were_crushed_from_the_nearest_of_them()
     model.contacts.force[...] = KN * (model.contacts.area * (closing - 4e-5))[:, None] * normal
     springs = float(model.contacts.area @ (KN * (4e-5 - closing) ** 2) / 2.0)
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
-    retirement.retire(model, model.large)
+    retirement.retire(model, model.large, crushing_of_joints(model, model.large))
     p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
     s, own = near.pairs.slot[p], near.pairs.points_of[p]
     k = np.arange(near.points.number[s])
@@ -138,7 +141,7 @@ def test_shear_that_follows_an_uneven_pressure_holds_no_more_energy_than_the_bon
     model.large.parted[...] = -2e-5 * model.contacts.normal
     force = pressed(model, -2e5, 5e4)
     model.state.intact_n[:] = model.state.intact_s[:] = 0.0
-    retirement.retire(model, model.large)
+    retirement.retire(model, model.large, crushing_of_joints(model, model.large))
     near = model.large.near
     p = int(np.flatnonzero(near.pairs.slot[: near.pairs.number[0]] >= 0)[0])
     pressures, areas = retirement.pressures_of(near, p), retirement.areas_of(near, p)

@@ -11,6 +11,7 @@ from masonry.configuration import large
 from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
 from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
+from masonry.elements.joints.joint_crushing import CrushedContacts, JointCrushing
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND
@@ -95,7 +96,7 @@ def test_openings_are_told_in_m_and_closures_over_the_thinner_block():
 def test_what_a_joint_crushed_is_no_overlap():
     """The second is closed by 0.1 mm, of which 0.08 mm are crushed."""
     model = SimpleNamespace(state=SimpleNamespace(crushed=np.array([[0.0, 0.0, 0.0], [8e-5, 9e-5, 1.0]])))
-    assert closed(model, np.array([-1e-5, -1e-4])) == pytest.approx([1e-5, 2e-5])
+    assert closed(CrushedContacts(model), np.array([-1e-5, -1e-4])) == pytest.approx([1e-5, 2e-5])
 
 
 def test_what_is_unbalanced_is_what_accelerates_over_the_dead_loads():
@@ -233,7 +234,7 @@ def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monke
 @pytest.mark.parametrize(("share", "stopped"), EITHER_SIDE)
 def test_patches_that_crushed_by_a_tenth_of_the_thinner_block_end_the_run(share, stopped, monkeypatch):
     model = fallen().model
-    monkeypatch.setattr(large.LargeDisplacement, "most_crushed", lambda *_: (share * 0.1, (0, 1)))
+    monkeypatch.setattr(JointCrushing, "in_patches", lambda *_: (share * 0.1, (0, 1)))
     look = Collapse(model)
     if stopped:
         with pytest.raises(Stopped, match="crushed where they meet by 0.101 of the width of the thinner one"):

@@ -23,7 +23,7 @@ def is_dry(assembly: Assembly, g: int) -> bool:
 
 def points_are_chosen(assembly: Assembly) -> bool:
     """Whether patches have points where the scene wants them, or more of them as they may crush."""
-    return assembly.scene.specimen.chooses_patch_points or assembly.model.state.crushed is not None
+    return assembly.scene.specimen.chooses_patch_points or assembly.model.crushes
 
 
 def rocking(assembly: Assembly, faces: Faces, reach: np.ndarray, what: str) -> list[Doubt]:

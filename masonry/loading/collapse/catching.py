@@ -113,7 +113,7 @@ class Catching(Remembering):
         if not self.configuration.any_size:
             seen = np.zeros((4, len(model.group)))
             self.configuration.look_at_contacts(seen)
-            contacts = -closed(model, seen[0])
+            contacts = -closed(self.configuration.crushing, seen[0])
         corners = model.blocks.points + Frames(model).corners()
         return Clearances(apart, contacts, replace(model.blocks, points=corners))
 

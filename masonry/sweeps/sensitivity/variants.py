@@ -184,7 +184,7 @@ def patches(assembly: Assembly) -> list[Variant]:
     """Points of dry contacts spread over their patches, or at the corners alone, in large displacement; where they do
     not crush, and no number of points is given."""
     spread, along = assembly.scene.specimen.patch_points == "spread", assembly.scene.specimen.patch_points_per_edge
-    if not assembly.model.dry or along is not None or assembly.model.state.crushed is not None:
+    if not assembly.model.dry or along is not None or assembly.model.crushes:
         return []
     other, words = ("corners", "at their corners") if spread else ("spread", "spread")
     return [Variant("patches", f"points of patches {words}", {"specimen.patch_points": other})]

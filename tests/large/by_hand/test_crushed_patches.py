@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import assemble
-from masonry.configuration import crushed_joints
 from masonry.configuration.configuration import configuration_of
 from masonry.configuration.model_state import restore, state
+from masonry.elements.joints import cells_of_joints as cells
+from masonry.elements.joints.cells_of_joints import cells_of_joints
 from masonry.laws.compression_cap import strength_left
 from masonry.laws.state import JointProperties
 from masonry.model.model import Model
@@ -223,10 +224,10 @@ def test_a_frame_shows_what_the_patches_crushed_where_the_joint_was():
     down, _ = rocked(joint, ANGLES[-1:])
     contacts, x = joint.model.joints, joint.model.joints.point[:, 0]
     by_hand = np.maximum(down + np.sin(ANGLES[-1]) * x - STRENGTH / KN, 0.0)
-    untold = configuration_of(joint.model).crushed()
+    untold = configuration_of(joint.model).crushing.closing()
     joint.place(ANGLES[-1], -1.0)
     joint.look()
-    told = configuration_of(joint.model).crushed()
+    told = configuration_of(joint.model).crushing.closing()
     ring = 0.1 * LENGTH * np.sin(ANGLES[-1])
     for closing in (untold, told):
         assert closing.shape == contacts.area.shape and closing.max() > 0.5 * by_hand.max()
@@ -237,10 +238,10 @@ def test_a_frame_shows_what_the_patches_crushed_where_the_joint_was():
 def test_cells_of_joints_are_the_same_looked_at_in_parts(monkeypatch):
     joint = Joint()
     joints = joint.model.joints
-    whole = crushed_joints.cells_of_joints(joints, joint.near)
-    monkeypatch.setattr(crushed_joints, "AT_ONCE", 7)
-    assert len(crushed_joints.in_parts(np.full(len(joints.area), 6))) > 1
-    assert np.array_equal(crushed_joints.cells_of_joints(joints, joint.near), whole) and np.all(whole >= 0)
+    whole = cells_of_joints(joints, joint.near)
+    monkeypatch.setattr(cells, "AT_ONCE", 7)
+    assert len(cells.in_parts(np.full(len(joints.area), 6))) > 1
+    assert np.array_equal(cells_of_joints(joints, joint.near), whole) and np.all(whole >= 0)
 
 
 def test_faces_beside_a_mesh_have_cells_of_their_own_size():
@@ -275,7 +276,7 @@ def test_half_of_it_goes_along_with_the_block_and_half_stays_on_the_ground():
         joint.press(0.0, down)
     assert joint.closings == pytest.approx(np.full(20, 2e-3 - STRENGTH / KN), rel=1e-6)
     whole = joint.closings[0]
-    share, blocks = configuration_of(joint.model).most_crushed(np.array([0.1, DEPTH]))
+    share, blocks = configuration_of(joint.model).crushing.in_patches(np.array([0.1, DEPTH]))
     assert (share, sorted(blocks)) == (pytest.approx(whole / 0.1), [0, 1])
     slide(joint, 0.0, 0.5 * LENGTH)
     s = joint.near.pairs.slot[0]

@@ -1,0 +1,1 @@
+"""Joints, as far as they answer for themselves: how they crush."""
