@@ -201,6 +201,7 @@ COUNTS: dict[str, Callable[[Source], int]] = {
         len(lines_that_match(s, r'^\s*"""What\b', package)) for package in PRODUCT
     ),
     "lines of masonry that ask whether there are bars": lambda s: len(lines_that_match(s, r"\bbars is (not )?None")),
+    "lines of masonry that ask whether joints crush": lambda s: len(lines_that_match(s, r"\bcrushed is (not )?None")),
     "files of masonry that name bars": lambda s: _files(naming_bars(s)),
     "fields of a model": lambda s: fields_of(s, "Model"),
     "members of a configuration": lambda s: fields_of(s, "Configuration"),

@@ -20,9 +20,10 @@ LIMITS = {
     "lines that name a number by how much it is": 3145,
     "docstrings that begin with What": 71,
     "lines of masonry that ask whether there are bars": 0,
+    "lines of masonry that ask whether joints crush": 17,
     "files of masonry that name bars": 17,
     "fields of a model": 31,
-    "members of a configuration": 24,
+    "members of a configuration": 18,
 }
 SOURCE = counts.Source(counts.ROOT)
 
@@ -51,6 +52,7 @@ def test_what_is_counted_is_seen() -> None:
                 "        assert plan.large is not None",
                 "        if isinstance(plan, Path) or kind == 'rigid':",
                 "            asks = self.bars is None",
+                "            crushes = state.crushed is not None",
                 "        self.off = 1.0 - least",
                 '        """What is made up."""',
             ]
@@ -64,7 +66,7 @@ def test_what_is_counted_is_seen() -> None:
         "asserts that .large is there": 1,
         "comparisons with a word for a kind of deformation or displacement": 1,
         "isinstance of a plan or a loading": 1,
-        "lines of the longest function that is not compiled": 6,
+        "lines of the longest function that is not compiled": 7,
         "branches of the function that branches most": 3,
         "attributes of the loading that has most": 2,
         "class names that stand more than once": 1,
@@ -74,6 +76,7 @@ def test_what_is_counted_is_seen() -> None:
         "lines that name a number by how much it is": 1,
         "docstrings that begin with What": 1,
         "lines of masonry that ask whether there are bars": 1,
+        "lines of masonry that ask whether joints crush": 1,
         "files of masonry that name bars": 1,
         "fields of a model": 1,
         "members of a configuration": 1,

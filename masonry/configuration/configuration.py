@@ -11,7 +11,9 @@ import numpy as np
 from masonry.configuration.chunk import Chunk
 from masonry.configuration.large import LargeDisplacement
 from masonry.configuration.small import SmallDisplacement
+from masonry.elements.element import Elements
 from masonry.elements.joints.joint_crushing import JointCrushing
+from masonry.elements.joints.joint_patches import NoPatches
 from masonry.jit.compiled_parts import StepCalls
 from masonry.model.model import Model
 
@@ -21,19 +23,16 @@ class Configuration(Protocol):
 
     any_size  whether blocks may turn, fall and meet others as they like; else displacements are linear in rotations,
               and contacts stay those of the undeformed shape
-    crushing  what answers for joints that crush, and for those that do not
-    columns   what the energy ledger has besides the columns of each run
+    crushing  what answers for joints that crush, and for those that do not; patches, for those by which blocks meet
+    of_joints elements of joints that took something for good, in the order in which it is added up
     leap      share of the smallest block by which a dof that moves in one step is no motion but an instability
     """
 
     any_size: bool
     crushing: JointCrushing
-    columns: tuple[str, ...]
+    patches: NoPatches
+    of_joints: Elements
     leap: float
-
-    @property
-    def skin(self) -> float:
-        """m, by which blocks may come nearer, or slide on, before contacts are found anew; infinite where none are."""
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         """Take some compiled steps of a chunk; drive_force (steps,) N out, after each. Raises Stopped."""
@@ -41,20 +40,11 @@ class Configuration(Protocol):
     def program(self, threads: int, shared: np.ndarray) -> StepCalls:
         """The parts of a step; `shared` as of kinematics/shared.py."""
 
-    def let_patches_fade(self, acts: bool) -> None:
-        """Let act what damps beside the springs of patches, or not."""
-
     def after_row(self) -> None:
         """Changes between rows: bonds that have nothing left retire."""
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
         """Fill seen (4, C): opening and slip (m), normal and shear stress (Pa); return the stored energy (J)."""
-
-    def friction(self) -> float:
-        """J that friction took besides what contacts booked."""
-
-    def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
-        """J by name of `columns`; works as of energy.works."""
 
     def joint_forces(self) -> np.ndarray:
         """(C, 3) N on side a of each joint of the undeformed shape, as seen from the blocks where they turn."""
@@ -71,13 +61,6 @@ class Configuration(Protocol):
 
     def stiffness(self) -> np.ndarray:
         """(B,) N/m, normal stiffness of all contacts of each block now."""
-
-    def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        """The deepest overlap of two blocks that meet by patches, over the widths (B,) of the thinner one, and which
-        they are."""
-
-    def patch_compressions(self) -> np.ndarray:
-        """(R,) Pa, the largest compression of a point of patches now, by which contact table serves them."""
 
     def rounding(self, kinetic: float) -> float:
         """N: forces below tell of the rounding of velocities alone; kinetic, the largest energy (J)."""

@@ -35,11 +35,6 @@ class ContactsLook:
         return float(self.energy[0])
 
 
-def taken_by_dashpots(model: Model) -> float:
-    """J that the dashpots of the contacts of the undeformed shape took."""
-    return 0.0 if model.dashpots is None else float(model.joints.area @ model.dashpots.taken)
-
-
 def sums_of_blocks(pair: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     """(B,) sums of values (C,) over both blocks (C, 2) of each contact."""
     return np.asarray(np.bincount(pair[:, 0], values, count) + np.bincount(pair[:, 1], values, count))

@@ -14,7 +14,7 @@ from masonry.configuration.configuration import configuration_of
 from masonry.configuration.parts.parts import parts_of
 from masonry.elements.element import energies_of, stored_by
 from masonry.model.model import Model
-from masonry.rows.columns import CRUSHING, DISSIPATED, ELEMENT_UNITS
+from masonry.rows.columns import CRUSHING, DISSIPATED, ELEMENT_UNITS, LARGE_UNITS
 
 
 class Seen(NamedTuple):
@@ -83,13 +83,24 @@ def works(model: Model) -> np.ndarray:
     return np.asarray(sum(others, start=first))
 
 
+def columns_of_joints(model: Model) -> tuple[str, ...]:
+    """Columns that the ledger of a model has besides those of each run and those of its elements."""
+    configuration = configuration_of(model)
+    columns = {*energies_of(configuration.of_joints), *(("rotor",) if configuration.any_size else ())}
+    return tuple(column for column in (*LARGE_UNITS, CRUSHING) if column in columns)
+
+
 def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[str, float]:
-    """All terms (J) at this moment, under the names of columns.UNITS and the configuration's own."""
+    """All terms (J) at this moment, under the names of columns.UNITS and those of joints and elements. In large
+    displacement the fourth of the works is what free rotors lost, and what went into blocks that deform: less what they
+    store it is booked as lost."""
     done, configuration = works(model), configuration_of(model)
     contact_work, damping, external = -float(done[0]), -float(done[1]), float(done[2])
     dissipated = model.joints.area @ model.state.dissipated
     moving = kinetic(model, before)
-    further = configuration.further_energies(done, view.elastic_blocks) | energies_of(model.elements)
+    turning = {"rotor": float(done[3]) - view.elastic_blocks} if configuration.any_size else {}
+    of_elements = energies_of((*configuration.of_joints, *model.elements))
+    rubbed = of_elements.pop("friction", 0.0)
     for work in (one.work_from_outside() for one in model.elements):
         if work is not None:
             external, contact_work = external + work, contact_work + work
@@ -99,12 +110,13 @@ def ledger(model: Model, view: Observation, before: list[np.ndarray]) -> dict[st
         "elastic_contacts": view.elastic_contacts,
         "fracture_mode_1": float(dissipated[0]),
         "fracture_mode_2": float(dissipated[1]),
-        "friction": float(dissipated[2]) + configuration.friction(),
+        "friction": float(dissipated[2]) + rubbed,
         "damping": damping,
         "kinetic": moving,
         "contact_work": contact_work,
-        "imbalance": external - damping - moving - view.elastic_blocks - contact_work - further.get("rotor", 0.0),
-        **further,
+        "imbalance": external - damping - moving - view.elastic_blocks - contact_work - turning.get("rotor", 0.0),
+        **turning,
+        **of_elements,
     }
 
 

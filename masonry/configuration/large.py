@@ -11,22 +11,21 @@ from masonry.configuration.contacts import (
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
-    taken_by_dashpots,
 )
 from masonry.configuration.joint_forces import BearingPoints, JointForces, forces_of_pairs, forces_on_blocks, moved
 from masonry.configuration.retirement import retire
 from masonry.configuration.room import make_room, make_room_for
 from masonry.configuration.written import joined, written_arrays, written_in_large
-from masonry.elements.element import stiffened
+from masonry.elements.element import stiffened, those_that_take
+from masonry.elements.joints.contact_dashpots import ContactDashpots
 from masonry.elements.joints.joint_crushing import crushing_of_joints
-from masonry.jit.compiled_parts import Call, RepeatedCall, StepCalls
+from masonry.elements.joints.joint_patches import Patches
+from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.large_step import step
 from masonry.model.large.meeting import Large
 from masonry.model.model import Model
-from masonry.patches.arrays import AREA, BORN, DASHPOT, FRICTION, NORMAL_GAINED, SHEAR_LOST
-from masonry.patches.measures import compressions, deepest, stored_energy
-from masonry.rows.columns import LARGE_UNITS
+from masonry.patches.arrays import AREA
 
 ROUNDED = 1e-6
 """Of the momentum over a time step: forces below are measured by it. Rounding makes 1e-16 of it."""
@@ -40,19 +39,9 @@ class LargeDisplacement:
 
     def __init__(self, model: Model, large: Large) -> None:
         self.model, self.parts, self.stepper, self.contacts = model, large, Stepper(), ContactsLook(model)
-        self.crushing = crushing_of_joints(model, large)
-        self.columns: tuple[str, ...] = (*LARGE_UNITS, *self.crushing.taken())
-        self.stored, self.overlap = RepeatedCall(stored_energy), RepeatedCall(deepest)
-        self.compressions, self.compression = (
-            RepeatedCall(compressions),
-            np.zeros(len(large.near.rules.normal_stiffness)),
-        )
+        self.crushing, self.patches = crushing_of_joints(model, large), Patches(large)
+        self.of_joints = those_that_take((self.patches, ContactDashpots(model), self.crushing))
         self.bearing = BearingPoints(large.near)
-        self.energy, self.deepest_overlap, self.deepest_pair = np.zeros(1), np.zeros(1), np.zeros(1, dtype=np.int64)
-
-    @property
-    def skin(self) -> float:
-        return float(self.parts.near.search.skin[0])
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         """Raises Stopped where blocks overlap deeply at once."""
@@ -76,23 +65,8 @@ class LargeDisplacement:
             *(large.near, large.members, shared, model.acting, forces),
         )
         calls = with_calls(calls, of_elements)
-        of_patches = self._stored(), self._overlap(np.zeros(0)), self._compressions(), self.bearing.of(large.near)
-        calls.of_rows = [*self.contacts.calls(), *of_patches]
+        calls.of_rows = [*self.contacts.calls(), *self.patches.calls_of_rows(), self.bearing.of(large.near)]
         return calls
-
-    def _stored(self) -> Call:
-        return self.stored.of(self.parts.near, self.energy)
-
-    def _overlap(self, width: np.ndarray) -> Call:
-        return self.overlap.of(self.parts.near, width, self.deepest_overlap, self.deepest_pair)
-
-    def _compressions(self) -> Call:
-        return self.compressions.of(self.parts.near, self.compression)
-
-    def let_patches_fade(self, acts: bool) -> None:
-        dashpots, rules = self.model.dashpots, self.parts.near.rules
-        if dashpots is not None and rules.keep is not None and rules.gain is not None:
-            rules.keep[:], rules.gain[:] = (acts * numbers for numbers in (dashpots.keep, dashpots.gain))
 
     def after_row(self) -> None:
         retire(self.model, self.parts, self.crushing)
@@ -100,8 +74,7 @@ class LargeDisplacement:
     def look_at_contacts(self, seen: np.ndarray) -> float:
         stored, seen[...] = self.contacts.look(), self.contacts.seen
         self._look_at_parted_points(seen)
-        self._stored()()
-        return stored + float(self.energy[0])
+        return stored + self.patches.elastic()
 
     def _look_at_parted_points(self, seen: np.ndarray) -> None:
         """How far points of joints without bonds have parted, in the frame of side a; they carry nothing."""
@@ -116,21 +89,6 @@ class LargeDisplacement:
         seen[0, gone] = opening
         seen[1, gone] = np.linalg.norm(parted - opening[:, None] * normal, axis=1)
         seen[2:, gone] = 0.0
-
-    def friction(self) -> float:
-        return float(self.parts.near.account[FRICTION])
-
-    def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
-        """The fourth of the works is what free rotors lost, and what went into blocks that deform: less what they store
-        it is booked as lost."""
-        account = self.parts.near.account
-        return {
-            "rotor": float(works[3]) - elastic_blocks,
-            "dashpot": float(account[DASHPOT]) + taken_by_dashpots(self.model),
-            "redetection": float(account[SHEAR_LOST]),
-            "area": -float(account[NORMAL_GAINED] + account[BORN]),
-            **self.crushing.taken(),
-        }
 
     @cached_property
     def _joint_forces(self) -> JointForces:
@@ -166,17 +124,6 @@ class LargeDisplacement:
         of_contacts = sums_of_blocks(pair, np.append(stiffness[alive], patches), self.model.blocks.count)
         return stiffened(of_contacts, self.model.elements)
 
-    def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        near = self.parts.near
-        self._overlap(width)()
-        a, b = near.pieces.block[near.pairs.body[self.deepest_pair[0]]]
-        return float(self.deepest_overlap[0]), (int(a), int(b))
-
-    def patch_compressions(self) -> np.ndarray:
-        self.compression[:] = 0.0
-        self._compressions()()
-        return self.compression.copy()
-
     def rounding(self, kinetic: float) -> float:
         mass = sum(float(of_kind[:, 0].sum()) for of_kind in self.model.masses.values())
         return ROUNDED * sqrt(2.0 * mass * max(kinetic, 0.0)) / self.model.dt
@@ -191,7 +138,7 @@ class LargeDisplacement:
         )
 
     def written(self) -> dict[str, np.ndarray]:
-        return joined(written_arrays(self.model, (self.crushing,)), written_in_large(self.model, self.parts))
+        return joined(written_arrays(self.model, self.of_joints), written_in_large(self.model, self.parts))
 
     def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
         make_room_for(self.parts, saved)

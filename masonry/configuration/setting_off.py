@@ -22,7 +22,7 @@ def damp(model: Model, settled: bool) -> None:
     if model.dashpots is None:
         return
     model.acting = model.dashpots if settled else NO_DASHPOTS
-    configuration_of(model).let_patches_fade(settled)
+    configuration_of(model).patches.let_fade(model, settled)
 
 
 def begin_dashpots(model: Model) -> None:

@@ -1,7 +1,6 @@
 """Small displacement: contacts are those of the undeformed shape, and displacements are linear in rotations."""
 
 from functools import cached_property
-from math import inf
 
 import numpy as np
 
@@ -11,17 +10,17 @@ from masonry.configuration.contacts import (
     pairs_of_contacts,
     stiffness_of_contacts,
     sums_of_blocks,
-    taken_by_dashpots,
 )
 from masonry.configuration.joint_forces import summed_in_runs
 from masonry.configuration.written import written_arrays
-from masonry.elements.element import acting_on_blocks, stiffened, with_elements
+from masonry.elements.element import acting_on_blocks, stiffened, those_that_take, with_elements
+from masonry.elements.joints.contact_dashpots import ContactDashpots
 from masonry.elements.joints.joint_crushing import crushing_of_contacts
+from masonry.elements.joints.joint_patches import NoPatches
 from masonry.jit.compiled_parts import StepCalls
 from masonry.kernels.driver import Stepper
 from masonry.kernels.step import step
 from masonry.model.model import Model
-from masonry.rows.columns import DASHPOT
 
 LEAP = 1e-2
 """A dof that moves by more than this share of the smallest block in one step is not a motion but an instability."""
@@ -30,12 +29,12 @@ LEAP = 1e-2
 class SmallDisplacement:
     """Answers to configuration.py for small displacement."""
 
-    any_size, leap, skin = False, LEAP, inf
+    any_size, leap = False, LEAP
 
     def __init__(self, model: Model) -> None:
         self.model, self.stepper, self.contacts = model, Stepper(), ContactsLook(model)
-        self.crushing = crushing_of_contacts(model)
-        self.columns: tuple[str, ...] = (*(() if model.dashpots is None else (DASHPOT,)), *self.crushing.taken())
+        self.crushing, self.patches = crushing_of_contacts(model), NoPatches()
+        self.of_joints = those_that_take((ContactDashpots(model), self.crushing))
 
     def advance(self, chunk: Chunk, threads: int, first: int, steps: int, drive_force: np.ndarray) -> None:
         model = self.model
@@ -53,22 +52,12 @@ class SmallDisplacement:
         calls.of_rows = self.contacts.calls()
         return calls
 
-    def let_patches_fade(self, acts: bool) -> None:
-        pass
-
     def after_row(self) -> None:
         pass
 
     def look_at_contacts(self, seen: np.ndarray) -> float:
         stored, seen[...] = self.contacts.look(), self.contacts.seen
         return stored
-
-    def friction(self) -> float:
-        return 0.0
-
-    def further_energies(self, works: np.ndarray, elastic_blocks: float) -> dict[str, float]:
-        damped = {} if self.model.dashpots is None else {DASHPOT: taken_by_dashpots(self.model)}
-        return {**damped, **self.crushing.taken()}
 
     def joint_forces(self) -> np.ndarray:
         return np.array(self.model.contacts.force)
@@ -110,12 +99,6 @@ class SmallDisplacement:
         of_contacts = sums_of_blocks(self._pairs, stiffness_of_contacts(self.model), self.model.blocks.count)
         return stiffened(of_contacts, self.model.elements)
 
-    def deepest(self, width: np.ndarray) -> tuple[float, tuple[int, int]]:
-        return 0.0, (0, 0)
-
-    def patch_compressions(self) -> np.ndarray:
-        return np.zeros(0)
-
     def rounding(self, kinetic: float) -> float:
         return 0.0
 
@@ -126,7 +109,7 @@ class SmallDisplacement:
         )
 
     def written(self) -> dict[str, np.ndarray]:
-        return written_arrays(self.model, (self.crushing,))
+        return written_arrays(self.model, self.of_joints)
 
     def make_room_for(self, saved: dict[str, np.ndarray]) -> None:
         pass

@@ -133,9 +133,16 @@ def stiffened(stiffness: np.ndarray, elements: Elements) -> np.ndarray:
 def energies_of(elements: Elements) -> dict[str, float]:
     """J that elements store and took, by column of the ledger."""
     total: dict[str, float] = {}
-    for column, energy in (entry for one in elements for entry in (one.stored() | one.taken()).items()):
-        total[column] = total.get(column, 0.0) + energy
+    for element in elements:
+        for energies in (element.stored(), element.taken()):
+            for column, energy in energies.items():
+                total[column] = total[column] + energy if column in total else energy
     return total
+
+
+def those_that_take(elements: Elements) -> Elements:
+    """Those for which there is a column of what they take for good: rows ask no others."""
+    return tuple(element for element in elements if element.taken())
 
 
 def stored_by(elements: Elements) -> float:

@@ -13,7 +13,7 @@ from masonry.configuration.parts.parts import parts_of
 from masonry.errors import MovedTooFar, Stopped
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
-from masonry.monitors.openings import CRUSHED, closed, require_bearing, thinner
+from masonry.monitors.openings import CRUSHED, require_bearing, thinner
 
 DROPPED = 0.5
 """Of its least width: how far a block has gone down, along its weight, when it counts as fallen."""
@@ -99,7 +99,7 @@ class Collapse(Observer):
         if model.swept:
             crushing = self.configuration.crushing
             require_bearing(model, crushing, self.extent, step)
-            closures = np.where(model.alive, closed(crushing, opening) / self.extent, 0.0)
+            closures = np.where(model.alive, crushing.closed(opening) / self.extent, 0.0)
             overlap = max(overlap, float(closures.max(initial=0.0)))
         return {"widest": float(opening.max(initial=0.0)), "overlap": overlap}
 
@@ -112,7 +112,7 @@ class Collapse(Observer):
                 f"step {step}: {model.two_blocks(*pair)} have crushed where they meet by {share:.3g} of the width of "
                 "the thinner one: what is left of the strength does not bear what presses it"
             )
-        overlap, pair = self.configuration.deepest(self.width)
+        overlap, pair = self.configuration.patches.deepest(self.width)
         if overlap > THROUGH:
             both = model.two_blocks(*pair)
             raise Stopped(

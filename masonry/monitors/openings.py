@@ -26,13 +26,8 @@ class Openings(Observer):
         require_bearing(model, self.crushing, self.extent, step)
         return {
             "widest": float(opening.max(initial=0.0)),
-            "overlap": float((closed(self.crushing, opening) / self.extent).max(initial=0.0)),
+            "overlap": float((self.crushing.closed(opening) / self.extent).max(initial=0.0)),
         }
-
-
-def closed(crushing: JointCrushing, opening: np.ndarray) -> np.ndarray:
-    """(C,) m by which the springs of contacts close: what they crushed is a loss of the joint, and no overlap."""
-    return np.asarray(-opening - crushing.of_contacts())
 
 
 def require_bearing(model: Model, crushing: JointCrushing, extent: np.ndarray, step: int) -> None:

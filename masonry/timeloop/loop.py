@@ -55,7 +55,8 @@ class Loop:
         self.done = self.frames_done = 0
         self.configuration = configuration_of(model)
         gauges = (gauge.name for gauge in recording.gauges)
-        self.rows: Columns = {key: [] for key in (*UNITS, *self.configuration.columns, *loading.columns(), *gauges)}
+        columns = *UNITS, *energy.columns_of_joints(model), *loading.columns(), *gauges
+        self.rows: Columns = {key: [] for key in columns}
         self.observed: Columns = {}
         self.watch = Watch(model, recording.rotation_limit)
         self.observers: dict[str, Observer] = {"watch": self.watch, **observers_of(model, recording)}

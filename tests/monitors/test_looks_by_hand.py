@@ -7,17 +7,17 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
-from masonry.configuration import large
 from masonry.configuration.energy import Seen
 from masonry.configuration.joint_forces import JointForces, Points
 from masonry.configuration.parts.affine_blocks import AffinePart, DeformingPart
 from masonry.elements.joints.joint_crushing import CrushedContacts, JointCrushing
+from masonry.elements.joints.joint_patches import Patches
 from masonry.errors import Stopped, TurnedTooFar
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
 from masonry.model.kinds import KIND
 from masonry.monitors.collapse import Collapse, Fallen, LargestDeformation
 from masonry.monitors.observer import View
-from masonry.monitors.openings import Openings, closed
+from masonry.monitors.openings import Openings
 from masonry.monitors.reactions import WorkOfLoads, balance, moved_by, of_motion, open_by
 from masonry.monitors.settling import unbalanced
 from masonry.monitors.slide import Slide, is_roller
@@ -96,7 +96,7 @@ def test_openings_are_told_in_m_and_closures_over_the_thinner_block():
 def test_what_a_joint_crushed_is_no_overlap():
     """The second is closed by 0.1 mm, of which 0.08 mm are crushed."""
     model = SimpleNamespace(state=SimpleNamespace(crushed=np.array([[0.0, 0.0, 0.0], [8e-5, 9e-5, 1.0]])))
-    assert closed(CrushedContacts(model), np.array([-1e-5, -1e-4])) == pytest.approx([1e-5, 2e-5])
+    assert CrushedContacts(model).closed(np.array([-1e-5, -1e-4])) == pytest.approx([1e-5, 2e-5])
 
 
 def test_what_is_unbalanced_is_what_accelerates_over_the_dead_loads():
@@ -187,7 +187,7 @@ def fallen() -> Assembly:
 @pytest.mark.parametrize(("share", "falls"), EITHER_SIDE)
 def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, falls, monkeypatch):
     model = fallen().model
-    monkeypatch.setattr(large.LargeDisplacement, "deepest", lambda *_: (0.0, (0, 1)))
+    monkeypatch.setattr(Patches, "deepest", lambda *_: (0.0, (0, 1)))
     model.bodies.rigid.q[1, :3] = 5.0, 0.0, -share * 0.5 * 0.1
     look = Collapse(model)
     look.look(model, replace(seen(model), terms=CLOSED | {"kinetic": 3.0}), 11)
@@ -200,7 +200,7 @@ def test_a_block_has_fallen_when_it_went_down_by_half_its_least_width(share, fal
 
 def test_what_slides_along_forces_of_inertia_has_not_fallen(monkeypatch):
     model = fallen().model
-    monkeypatch.setattr(large.LargeDisplacement, "deepest", lambda *_: (0.0, (0, 1)))
+    monkeypatch.setattr(Patches, "deepest", lambda *_: (0.0, (0, 1)))
     model.bodies.rigid.load[1, :3] = 0.5 * np.array([-model.bodies.rigid.load[1, 2], 0.0, 0.0])
     model.bodies.rigid.q[1, :3] = 3.0, 0.0, 0.0
     look, along_load = Collapse(model, (0.0, 0.0, -9.81)), Collapse(model)
@@ -221,7 +221,7 @@ def test_an_overlap_of_half_the_thinner_block_ends_the_run(share, stopped, monke
         widths.append(width)
         return share * 0.5, (0, 1)
 
-    monkeypatch.setattr(large.LargeDisplacement, "deepest", deepest)
+    monkeypatch.setattr(Patches, "deepest", deepest)
     look = Collapse(model)
     if stopped:
         with pytest.raises(Stopped, match="overlap by 0.51 of the width of the thinner one"):

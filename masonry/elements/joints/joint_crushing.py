@@ -38,6 +38,11 @@ class JointCrushing(Element):
         """Plastic closing (C,) m of the contacts; 0.0 for all where they do not crush."""
         return 0.0
 
+    def closed(self, opening: np.ndarray) -> np.ndarray:
+        """(C,) m by which the springs of contacts close that open by so much: what they crushed is a loss of the joint,
+        and no overlap."""
+        return -opening
+
     def in_contacts(self, extent: np.ndarray) -> tuple[float, int]:
         """The largest plastic closing of a contact over an extent (C,) m, and which contact that is."""
         return 0.0, 0
@@ -75,6 +80,9 @@ class CrushedContacts(JointCrushing):
 
     def of_contacts(self) -> np.ndarray:
         return self.crushed[:, 0]
+
+    def closed(self, opening: np.ndarray) -> np.ndarray:
+        return np.asarray(-opening - self.crushed[:, 0])
 
     def in_contacts(self, extent: np.ndarray) -> tuple[float, int]:
         share = self.crushed[:, 0] / extent

@@ -19,7 +19,6 @@ from masonry.loading.moves.moved import Arrays
 from masonry.model.model import Model
 from masonry.monitors.collisions.collision import joined_pairs
 from masonry.monitors.frames import Frames
-from masonry.monitors.openings import closed
 from masonry.monitors.stability import smallest_block
 from masonry.runtime.state_file import Remembering
 
@@ -113,7 +112,7 @@ class Catching(Remembering):
         if not self.configuration.any_size:
             seen = np.zeros((4, len(model.group)))
             self.configuration.look_at_contacts(seen)
-            contacts = -closed(self.configuration.crushing, seen[0])
+            contacts = -self.configuration.crushing.closed(seen[0])
         corners = model.blocks.points + Frames(model).corners()
         return Clearances(apart, contacts, replace(model.blocks, points=corners))
 

@@ -67,7 +67,7 @@ class Dry:
 
     def begin(self) -> None:
         """See how far (m) patches are pressed together at most under the dead loads; they part after about as much."""
-        pressed, _ = configuration_of(self.model).deepest(np.ones(self.model.blocks.count))
+        pressed, _ = configuration_of(self.model).patches.deepest(np.ones(self.model.blocks.count))
         if pressed > 0.0:
             self.parting = self.settings.parting * pressed
 

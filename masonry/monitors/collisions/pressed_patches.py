@@ -23,10 +23,10 @@ class PressedPatches(Observer):
     REMEMBERED = ("pressed",)
 
     def __init__(self, model: Model) -> None:
-        self.pressed = configuration_of(model).patch_compressions()
+        self.pressed = configuration_of(model).patches.compressions()
 
     def look(self, model: Model, view: View, step: int) -> dict[str, float]:
-        np.maximum(self.pressed, configuration_of(model).patch_compressions(), out=self.pressed)
+        np.maximum(self.pressed, configuration_of(model).patches.compressions(), out=self.pressed)
         return {}
 
     def records(self) -> list[Any]:

@@ -26,7 +26,9 @@ def doubts(assembly: Assembly) -> list[Doubt]:
             advice = 'take law = "brittle" with a tensile strength and a cohesion of 0 Pa, and give dilation_cutoff'
             raised.append(Doubt("no_dilation", None, None, sentence, advice))
         if joint.tan_dilation is not None:
-            raised += of_group(name, contact, joint, travel_of(assembly.scene.drive), configuration_of(model).skin)
+            raised += of_group(
+                name, contact, joint, travel_of(assembly.scene.drive), configuration_of(model).patches.skin
+            )
     return raised
 
 
