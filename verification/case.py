@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import SupportsFloat
 
 import numpy as np
 
@@ -37,23 +38,33 @@ class RequiredFeature(Exception):
 
 
 @dataclass(frozen=True)
+class Tolerance:
+    """Largest error that a check may have, and why.
+
+    limit     on |value - reference| / scale
+    expected  the error that the method should have here (same scale): the order of the scheme, rounding, ...
+    reason    why the limit is what it is, in a sentence
+    kind      of the reference, one of KINDS
+    """
+
+    limit: float
+    expected: float
+    reason: str
+    kind: str = "closed form"
+
+
+@dataclass(frozen=True)
 class Check:
     """One number (or the largest of many) held against its reference; `Findings.at_most` makes one against a bound.
 
-    tolerance  on |value - reference| / scale
-    expected   the error that the method should have here (same scale): the order of the scheme, rounding, ...
-    reason     why the tolerance is what it is, in a sentence
-    scale      what errors are relative to; the reference itself where none is given
+    scale  what errors are relative to; the reference itself where none is given
     """
 
     quantity: str
     unit: str
     value: float
     reference: float
-    kind: str
-    tolerance: float
-    expected: float
-    reason: str
+    tolerance: Tolerance
     scale: float | None = None
 
     @property
@@ -65,12 +76,12 @@ class Check:
 
     @property
     def is_bound(self) -> bool:
-        return self.kind == BOUND
+        return self.tolerance.kind == BOUND
 
     @property
     def holds(self) -> bool:
         """False for NaN too."""
-        return self.value <= self.reference if self.is_bound else abs(self.error) <= self.tolerance
+        return self.value <= self.reference if self.is_bound else abs(self.error) <= self.tolerance.limit
 
     @property
     def used(self) -> float:
@@ -79,26 +90,28 @@ class Check:
             return 0.0 if self.holds else math.inf
         if math.isnan(self.error):
             return math.inf
-        return abs(self.error) / self.tolerance if self.tolerance else 0.0 if self.error == 0.0 else math.inf
+        limit = self.tolerance.limit
+        return abs(self.error) / limit if limit else 0.0 if self.error == 0.0 else math.inf
 
     @property
     def too_loose(self) -> bool:
         """Passes by more than LOOSE times; what rounding or rest decide is not asked for more."""
-        return not self.is_bound and self.holds and self.tolerance > max(LOOSE * abs(self.error), REST)
+        return not self.is_bound and self.holds and self.tolerance.limit > max(LOOSE * abs(self.error), REST)
 
     @property
     def ill_set(self) -> bool:
         """The tolerance does not follow from the expected error: below it, or more than SPREAD times as much."""
         if self.is_bound:
             return False
-        return self.tolerance < self.expected or self.tolerance > max(SPREAD * (1 + 1e-9) * self.expected, ROUNDS)
+        limit, expected = self.tolerance.limit, self.tolerance.expected
+        return limit < expected or limit > max(SPREAD * (1 + 1e-9) * expected, ROUNDS)
 
     @property
     def worse(self) -> bool:
         """Holds, but by an error that is more than UNEXPECTED times the expected one: the method is not what it was."""
         if self.is_bound or not self.holds:
             return False
-        return abs(self.error) > UNEXPECTED * (1 + 1e-9) * max(self.expected, ROUNDS)
+        return abs(self.error) > UNEXPECTED * (1 + 1e-9) * max(self.tolerance.expected, ROUNDS)
 
 
 @dataclass(frozen=True)
@@ -155,20 +168,19 @@ class Findings:
         self,
         quantity: str,
         unit: str,
-        value: float,
-        reference: float,
-        kind: str,
-        tolerance: float,
-        expected: float,
-        reason: str,
-        scale: float | None = None,
+        value: SupportsFloat,
+        reference: SupportsFloat,
+        tolerance: Tolerance,
+        *,
+        scale: SupportsFloat | None = None,
     ) -> None:
         """Add a `Check`."""
-        self.checks.append(Check(quantity, unit, value, reference, kind, tolerance, expected, reason, scale))
+        relative_to = None if scale is None else float(scale)
+        self.checks.append(Check(quantity, unit, float(value), float(reference), tolerance, relative_to))
 
-    def at_most(self, quantity: str, unit: str, value: float, most: float, reason: str) -> None:
+    def at_most(self, quantity: str, unit: str, value: SupportsFloat, most: SupportsFloat, reason: str) -> None:
         """Add a bound, such as what a run must have done to be worth anything: "the weakest joint has cracked"."""
-        self.check(quantity, unit, value, most, BOUND, 0.0, 0.0, reason)
+        self.check(quantity, unit, value, most, Tolerance(0.0, 0.0, reason, BOUND))
 
     def plot(self, title: str, x_label: str, y_label: str, *lines: Line, log: bool = False) -> None:
         """Add a `Plot` of some lines."""

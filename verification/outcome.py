@@ -57,12 +57,13 @@ class CaseOutcome:
 def off(check: Check) -> str:
     """A check that does not hold, in a sentence."""
     unit = f" {check.unit}" if check.unit not in ("", "1") else ""
-    why = check.reason.rstrip(".")
+    tolerance = check.tolerance
+    why = tolerance.reason.rstrip(".")
     if check.is_bound:
         return f"{check.quantity} is {check.value:.8g}{unit}, but may be at most {check.reference:.8g}{unit} ({why})"
     return (
-        f"{check.quantity} is {check.value:.8g}{unit}, but the {check.kind} gives {check.reference:.8g}{unit}: "
-        f"error {check.error:+.2e}, tolerance {check.tolerance:.0e} ({why})"
+        f"{check.quantity} is {check.value:.8g}{unit}, but the {tolerance.kind} gives {check.reference:.8g}{unit}: "
+        f"error {check.error:+.2e}, tolerance {tolerance.limit:.0e} ({why})"
     )
 
 

@@ -40,7 +40,7 @@ def _said(check: Check) -> str:
         return f"{check.quantity} is {check.value:.7g}{unit}, at most {check.reference:.7g}{unit}"
     return (
         f"{check.quantity} is {check.value:.7g}{unit}, known {check.reference:.7g}{unit}, "
-        f"off by {abs(check.error):.1e}, allowed {check.tolerance:.1e}"
+        f"off by {abs(check.error):.1e}, allowed {check.tolerance.limit:.1e}"
     )
 
 

@@ -23,7 +23,7 @@ def row(outcome: CaseOutcome) -> tuple[str, ...]:
         outcome.case.row,
         outcome.status,
         f"{worst.error:+.1e}" if worst else "-",
-        f"{worst.tolerance:.0e}" if worst else "-",
+        f"{worst.tolerance.limit:.0e}" if worst else "-",
         str(len(outcome.findings.checks)) if worst else "-",
         f"{max(ledgers):.0e}" if ledgers else "-",
         f"{outcome.seconds:.1f}",
@@ -41,7 +41,7 @@ def failures(outcome: CaseOutcome) -> list[str]:
 def loose(outcomes: Iterable[CaseOutcome]) -> list[str]:
     """Checks that pass with so much to spare that they would let a mistake through."""
     return [
-        f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, its tolerance is {c.tolerance:.0e}"
+        f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, its tolerance is {c.tolerance.limit:.0e}"
         for o in outcomes
         for c in o.too_loose
     ]
@@ -64,12 +64,12 @@ def notes(outcomes: Sequence[CaseOutcome]) -> dict[str, list[str]]:
         "Does not hold": [sentence for o in outcomes for sentence in failures(o)],
         f"Too loose (passes by more than {LOOSE:.0f} times)": loose(outcomes),
         f"Worse than expected (holds, but by more than {UNEXPECTED:.0f} times the error that it should have)": [
-            f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, expected {c.expected:.0e}"
+            f"{o.case.name}: {c.quantity} is off by {abs(c.error):.1e}, expected {c.tolerance.expected:.0e}"
             for o in outcomes
             for c in o.worse
         ],
         "Tolerance that does not follow from the expected error": [
-            f"{o.case.name}: {c.quantity}: tolerance {c.tolerance:.0e}, expected {c.expected:.0e}"
+            f"{o.case.name}: {c.quantity}: tolerance {c.tolerance.limit:.0e}, expected {c.tolerance.expected:.0e}"
             for o in outcomes
             for c in o.ill_set
         ],

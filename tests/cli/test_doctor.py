@@ -11,7 +11,7 @@ from masonry.cli.doctor import diagnose
 from masonry.cli.main import main
 from masonry.runtime.processors import Seconds
 from verification import self_test
-from verification.case import Case, Check, Findings
+from verification.case import Case, Check, Findings, Tolerance
 
 
 def test_a_machine_that_has_everything_is_fine(capsys):
@@ -85,7 +85,7 @@ def test_the_self_test_holds_its_numbers_against_closed_forms_and_times_a_step(m
 
 
 def test_a_self_test_that_finds_a_wrong_number_fails_and_says_which(monkeypatch, capsys):
-    wrong = Check("peak", "Pa", 1.01, 1.0, "closed form", 1e-3, 1e-4, "the step that misses the peak")
+    wrong = Check("peak", "Pa", 1.01, 1.0, Tolerance(1e-3, 1e-4, "the step that misses the peak"))
     case = Case("couplet", "A8", "Couplet", area="Contact laws", run=lambda: Findings([wrong]))
     monkeypatch.setattr(self_test, "CASES", (case,))
     assert not diagnose(say=print)

@@ -7,13 +7,13 @@ import time
 from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
-from verification.case import Case, Check, Findings, Line, Plot, RequiredFeature
+from verification.case import Case, Check, Findings, Line, Plot, RequiredFeature, Tolerance
 
 FRICTION = "c0 + sigma tan(phi0) holds at every step, so rounding alone is left"
 
 
 def check(value: float, tolerance: float = 1e-3, quantity: str = "peak") -> Check:
-    return Check(quantity, "Pa", value, 1.375e6, "closed form", tolerance, 1e-4, FRICTION)
+    return Check(quantity, "Pa", value, 1.375e6, Tolerance(tolerance, 1e-4, FRICTION))
 
 
 def couplet() -> Findings:

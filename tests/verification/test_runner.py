@@ -8,7 +8,7 @@ from masonry.errors import SceneError
 from tests.verification import samples
 from tests.verification.samples import case
 from verification import catalogue, runner
-from verification.case import Check, Findings
+from verification.case import Check, Findings, Tolerance
 from verification.outcome import judge, off
 
 ENDS = {
@@ -47,7 +47,7 @@ def test_a_process_that_dies_or_hangs_costs_its_own_case_only_and_leaves_no_file
 
 
 def test_a_value_that_is_not_a_number_does_not_hold():
-    check = Check("x", "1", math.nan, 1.0, "closed form", 1.0, 0.1, "")
+    check = Check("x", "1", math.nan, 1.0, Tolerance(1.0, 0.1, ""))
     assert not check.holds and math.isinf(check.used)
     assert judge(Findings([check]))[0] == "FAIL"
     assert judge(Findings([samples.check(1.375e6)], imbalance={"run": math.nan}))[0] == "FAIL"

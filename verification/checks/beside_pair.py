@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from verification.case import Findings, Line
+from verification.case import Findings, Line, Tolerance
 from verification.checks import increments
 from verification.checks.paired_run import interface_model
 from verification.references.interface.model import InterfaceModel
@@ -63,16 +63,17 @@ def compare(
         ("softening", ~sound, allowed.softening, why + "a run passes each increment with a swing that dies out, so "
          "contacts unload and reload by a little, and its square is lost"),
     ]  # fmt: skip
-    for what, which, (expected, tolerance), reason in ranges:
+    for what, which, (expected, limit), reason in ranges:
         if not which.any():
             continue
         k = np.flatnonzero(which)[int(np.argmax(np.abs(ran - stress)[which]))]
-        findings.check(f"{name}: stress where the curves differ most, {what}", "Pa", float(ran[k]), float(stress[k]),
-                       "same discretisation", tolerance, expected, reason, scale=peak)  # fmt: skip
+        tolerance = Tolerance(limit, expected, reason, "same discretisation")
+        quantity = f"{name}: stress where the curves differ most, {what}"
+        findings.check(quantity, "Pa", ran[k], stress[k], tolerance, scale=peak)
     apart = np.abs(result.history.frames[-1].nodes - moved).max()
-    findings.check(f"{name}: largest difference of a node's displacement at the end", "m", float(apart), 0.0,
-                   "same discretisation", allowed.nodes[1], allowed.nodes[0], why + "as above",
-                   scale=float(places[-1]))  # fmt: skip
+    tolerance = Tolerance(allowed.nodes[1], allowed.nodes[0], why + "as above", "same discretisation")
+    quantity = f"{name}: largest difference of a node's displacement at the end"
+    findings.check(quantity, "m", apart, 0.0, tolerance, scale=places[-1])
     where = np.asarray(places) * 1e6
     lines = (Line("interface model, tier 1", where, stress / 1e6, "dashed"), Line("run", where, ran / 1e6, "points"))
     findings.plot(name, "displacement of the drive (um)", "stress (MPa)", *lines)

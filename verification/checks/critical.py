@@ -6,7 +6,7 @@ import numpy as np
 
 from masonry.configuration.energy import present
 from masonry.model.model import Model, Stepping
-from verification.case import Findings
+from verification.case import Findings, Tolerance
 from verification.checks.free_motion import follow, glued
 from verification.fixtures import assembled, models, shapes
 
@@ -36,14 +36,15 @@ def study(findings: Findings, kinds: Sequence[str], words: str) -> None:
     force, wanted = models.forces(model, random), -(matrix @ random) * models.free(model)
     omega, mode = assembled.fastest(model, matrix)
     limit, same = 2.0 / omega, "same discretisation"
-    findings.check(f"{words}: forces against K u, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0,
-                   same, 1e-12, 1e-15, "sums over contacts and elements: rounding",
-                   float(np.abs(wanted).max()))  # fmt: skip
-    findings.at_most(f"{words}: proven bound over 2/w_max", "1", model.bound / limit, 1.0 + 1e-12,
-                     "Gershgorin's bound is never above the limit, but for rounding")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-15, "sums over contacts and elements: rounding", same)
+    quantity = f"{words}: forces against K u, largest deviation"
+    findings.check(quantity, "N", np.abs(force - wanted).max(), 0.0, tolerance, scale=np.abs(wanted).max())
+    reason = "Gershgorin's bound is never above the limit, but for rounding"
+    findings.at_most(f"{words}: proven bound over 2/w_max", "1", model.bound / limit, 1.0 + 1e-12, reason)
     damped = stack(kinds, 0.8)
-    findings.check(f"{words}: bound at xi = 0.8 over that without damping", "1", damped.bound / model.bound, 1.8**-0.5,
-                   "closed form", 1e-12, 1e-15, "1/sqrt(1 + xi): rounding")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-15, "1/sqrt(1 + xi): rounding")
+    value = damped.bound / model.bound
+    findings.check(f"{words}: bound at xi = 0.8 over that without damping", "1", value, 1.8**-0.5, tolerance)
     findings.remarks.append(f"{words}: the proven bound is {model.bound / limit:.2f} of the limit 2/w_max")
     _below(findings, kinds, words, BELOW * limit, mode)
     for damping in (0.0, 0.8):
@@ -56,10 +57,11 @@ def _below(findings: Findings, kinds: Sequence[str], words: str, dt: float, mode
     models.put(model, {kind: body.v for kind, body in present(model)}, 1e-6 * mode)
     name = f"{words}, {BELOW:g} of the limit"
     seen = follow(findings, name, model, STEPS, lambda m: np.array(kinetic(m)), EVERY, rows=100)
-    findings.check(f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first", "1",
-                   float(seen.max() / seen[0]), 1.0 / (1.0 - BELOW**2), "closed form", 1e-4, 1e-5,
-                   "1/cos^2(a/2), looked for at 1000 phases of the mode: (pi/1000)^2, times 10 for "
-                   "uneven ones")  # fmt: skip
+    tolerance = Tolerance(
+        1e-4, 1e-5, "1/cos^2(a/2), looked for at 1000 phases of the mode: (pi/1000)^2, times 10 for uneven ones"
+    )
+    quantity = f"{words}: largest kinetic energy in 1e5 steps at {BELOW:g} of the limit, over the first"
+    findings.check(quantity, "1", seen.max() / seen[0], 1.0 / (1.0 - BELOW**2), tolerance)
 
 
 def _above(findings: Findings, kinds: Sequence[str], words: str, damping: float, dt: float, mode: np.ndarray) -> None:
@@ -70,7 +72,10 @@ def _above(findings: Findings, kinds: Sequence[str], words: str, damping: float,
     early = kinetic(model)
     models.march(model, 40)
     grown = 0.5 * float(np.log(kinetic(model) / early)) / 40
-    findings.check(f"{words}: growth a step at {ABOVE:g} of the limit, xi = {damping:g}", "1", grown,
-                   2.0 * float(np.arccosh(ABOVE)), "closed form", 3e-12, 3e-13,
-                   "the mode's own factor; what decays of the others is exp(-0.63 * 40) = 1e-11 by then, "
-                   "over 40 steps")  # fmt: skip
+    tolerance = Tolerance(
+        3e-12,
+        3e-13,
+        "the mode's own factor; what decays of the others is exp(-0.63 * 40) = 1e-11 by then, over 40 steps",
+    )
+    quantity = f"{words}: growth a step at {ABOVE:g} of the limit, xi = {damping:g}"
+    findings.check(quantity, "1", grown, 2.0 * float(np.arccosh(ABOVE)), tolerance)

@@ -9,7 +9,7 @@ from masonry.configuration.energy import present
 from masonry.laws.building.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
-from verification.case import Findings
+from verification.case import Findings, Tolerance
 from verification.checks.free_motion import STRONG, follow
 from verification.fixtures import assembled, models, shapes
 from verification.fixtures.one_contact import TABLE_1
@@ -81,10 +81,10 @@ def rigid_motion(findings: Findings, kinds: Sequence[str], words: str) -> None:
     everywhere = float(np.abs(model.contacts.force).sum())
     unequal = float(np.abs(contact_forces(model)).max())
     left = float(np.abs(models.forces(model, rigid)).max())
-    findings.check(f"{words}: force of a rigid motion, largest", "N", left, 0.0, KIND, 1e-13, 3e-15,
-                   "differences of displacements that are alike: rounding", scale)  # fmt: skip
-    findings.check(f"{words}: sum and moment of all contact forces", "N", unequal, 0.0, KIND, 1e-13, 1e-16,
-                   "the same numbers with both signs: rounding of their sums", everywhere)  # fmt: skip
+    tolerance = Tolerance(1e-13, 3e-15, "differences of displacements that are alike: rounding", KIND)
+    findings.check(f"{words}: force of a rigid motion, largest", "N", left, 0.0, tolerance, scale=scale)
+    tolerance = Tolerance(1e-13, 1e-16, "the same numbers with both signs: rounding of their sums", KIND)
+    findings.check(f"{words}: sum and moment of all contact forces", "N", unequal, 0.0, tolerance, scale=everywhere)
 
 
 def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
@@ -98,8 +98,8 @@ def kept_momentum(findings: Findings, kinds: Sequence[str], words: str) -> None:
     name = f"{words}: cracking apart"
     follow(findings, name, model, 3000, lambda m: np.zeros(1), every=100)
     off = float(np.abs(momentum(model) - before).max())
-    findings.check(f"{words}: momentum and angular momentum after 3000 steps", "kg m/s", off, 0.0, KIND, 1e-12, 1e-14,
-                   "rounding of 3000 kicks", swing)  # fmt: skip
+    quantity = f"{words}: momentum and angular momentum after 3000 steps"
+    findings.check(quantity, "kg m/s", off, 0.0, Tolerance(1e-12, 1e-14, "rounding of 3000 kicks", KIND), scale=swing)
     _weakest(findings, f"{words}: strength left of the weakest joint meanwhile", model)
 
 
@@ -133,14 +133,16 @@ def alike(findings: Findings, kinds: Sequence[str], words: str, law: tuple, step
         follow(findings, f"{words}: {name}", model, steps, lambda m: np.zeros(1), every=steps // 20)
         now = models.displacements(model)
         off = max(float(np.abs(b - a @ rotation.T).max(initial=0.0)) for a, b in zip(was, now, strict=True))
-        findings.check(f"{words}: {name}, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
+        tolerance = Tolerance(1e-12, 1e-14, why, KIND)
+        findings.check(f"{words}: {name}, displacements", "m", off, 0.0, tolerance, scale=scale)
     other, nodes = shapes.renumbered(still, ORDER)
     model = _loaded(other, law, np.eye(3), stepping, ORDER)
     follow(findings, f"{words}: renumbered", model, steps, lambda m: np.zeros(1), every=steps // 20)
     now = models.displacements(model)
     off = float(np.abs(now[0] - was[0][ORDER]).max())
     off = max(off, float(np.abs(now[1] - was[1][nodes]).max(initial=0.0)))
-    findings.check(f"{words}: renumbered, displacements", "m", off, 0.0, KIND, 1e-12, 1e-14, why, scale)
+    tolerance = Tolerance(1e-12, 1e-14, why, KIND)
+    findings.check(f"{words}: renumbered, displacements", "m", off, 0.0, tolerance, scale=scale)
 
 
 def study(findings: Findings, kinds: Sequence[str], words: str, steps: int) -> None:

@@ -16,7 +16,7 @@ worst place is nearer to the crown than the quarter of the span: so it is here, 
 import numpy as np
 
 import masonry
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.thrust_line import Spans, added, ring
 from verification.scene_runs import load
 from verification.scene_runs import run as run_scene
@@ -58,21 +58,21 @@ def look_at_positions(findings: Findings, name: str, width: float | None) -> Non
     shown = np.flatnonzero(factor < 10.0 * result.factor)
     own = np.array([by_hand(bridge, scene.vehicle.places(x).tolist()) for x in position[shown]])
     off = float(np.abs(factor[shown] / own - 1.0).max())
-    findings.check(f"largest error of a factor of the envelope, {name}", "1", off, 0.0, "limit analysis",
-                   1e-9, 1e-10, "both are linear programmes of the same joints and loads", scale=1.0)  # fmt: skip
+    tolerance = Tolerance(1e-9, 1e-10, "both are linear programmes of the same joints and loads", "limit analysis")
+    findings.check(f"largest error of a factor of the envelope, {name}", "1", off, 0.0, tolerance, scale=1.0)
     loop = np.arange(position[shown[0]], position[shown[-1]], STEP)
     least = min(by_hand(bridge, scene.vehicle.places(x).tolist()) for x in loop.tolist())
-    findings.check(f"least factor over the positions, {name}", "1", result.factor, least, "limit analysis",
-                   5e-5, 1e-5, "the loop by hand steps by 10 mm, beside the worst place")  # fmt: skip
-    findings.at_most(f"least factor over the positions within the loop's, {name}", "1", result.factor, least,
-                     "the worst place is found between the steps of the loop")  # fmt: skip
+    tolerance = Tolerance(5e-5, 1e-5, "the loop by hand steps by 10 mm, beside the worst place", "limit analysis")
+    findings.check(f"least factor over the positions, {name}", "1", result.factor, least, tolerance)
+    reason = "the worst place is found between the steps of the loop"
+    findings.at_most(f"least factor over the positions within the loop's, {name}", "1", result.factor, least, reason)
     findings.plot(f"Envelope, {name}", "position of the vehicle (m)", "load factor (1)",
                   Line("masonry limit", position[shown], factor[shown]),
                   Line("line of thrust", position[shown], own, "points"), log=True)  # fmt: skip
     if width is not None:
         moves = bool(result.moving[result.specimen.sets["pier 1"]].any())
-        findings.at_most(f"the pier moves where it should stand, or stands, {name}", "1",
-                         float(moves != (width < 1.5)), 0.0, "a stocky pier leaves one arch alone")  # fmt: skip
+        quantity = f"the pier moves where it should stand, or stands, {name}"
+        findings.at_most(quantity, "1", moves != (width < 1.5), 0.0, "a stocky pier leaves one arch alone")
 
 
 def run() -> Findings:
@@ -86,8 +86,8 @@ def run() -> Findings:
         there = {"vehicle.position": f"{bound.scene.vehicle.position!r} m", "limit.accuracy": ACCURACY}
         collapse = findings.note(name, run_scene(base, changes | there)).summary["collapse_load"]
         middle = 0.5 * (collapse["borne"] + collapse["falls"])
-        findings.check(f"load factor at the worst position by a run, {name}", "1", middle, bound.factor,
-                       "limit analysis", 0.01, 0.5 * ACCURACY, "half the interval")  # fmt: skip
+        tolerance = Tolerance(0.01, 0.5 * ACCURACY, "half the interval", "limit analysis")
+        findings.check(f"load factor at the worst position by a run, {name}", "1", middle, bound.factor, tolerance)
     return findings
 
 

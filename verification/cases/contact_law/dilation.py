@@ -13,7 +13,7 @@ from math import atan, tan
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.one_contact import along, contact, law, refused, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.fixtures.thresholds import threshold
@@ -32,11 +32,10 @@ def free(findings: Findings) -> None:
     plastic = np.maximum(slip - TOP / JOINT.ks, 0.0)
     path = np.column_stack([slip, 0 * slip, tan(PSI) * plastic - S / JOINT.kn])
     walked = walk(law("linear", **PERFECT), path)
-    findings.check("free: compression, largest deviation", "Pa", float(np.abs(walked.sigma + S).max()), 0.0,
-                   "closed form", 1e-12, 1e-14,
-                   "k_n times rises of 15 um whose rounding is that of a sum of 1500", S)  # fmt: skip
-    findings.check("free: plastic slip at the end", "m", float(walked.slip[-1, 0]), float(plastic[-1]), "closed form",
-                   1e-12, 1e-14, ROUNDING)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "k_n times rises of 15 um whose rounding is that of a sum of 1500")
+    value = np.abs(walked.sigma + S).max()
+    findings.check("free: compression, largest deviation", "Pa", value, 0.0, tolerance, scale=S)
+    findings.check("free: plastic slip at the end", "m", walked.slip[-1, 0], plastic[-1], ROUNDING)
 
 
 def locked(findings: Findings) -> None:
@@ -51,14 +50,11 @@ def locked(findings: Findings) -> None:
     grows = (JOINT.tan0 - tan(PSI)) * JOINT.kn * tan(PSI)
     by_hand = (TOP - S * tan(PSI)) * plastic[-1] + 0.5 * grows * plastic[-1] ** 2
     off = float(np.abs(walked.sigma + pressed).max()), float(np.abs(walked.tau - JOINT.ks * (slip - plastic)).max())
-    findings.check("locked: compression, largest deviation", "Pa", off[0], 0.0, "closed form", 1e-12, 1e-14, ROUNDING,
-                   float(pressed.max()))  # fmt: skip
-    findings.check("locked: shear stress, largest deviation", "Pa", off[1], 0.0, "closed form", 1e-12, 1e-14, ROUNDING,
-                   float(walked.tau.max()))  # fmt: skip
-    findings.check("locked: dissipated", "J/m2", float(walked.dissipated[-1]), by_hand, "closed form", 1e-12, 1e-14,
-                   "a trapezoid of straight lines: rounding")  # fmt: skip
-    findings.check("locked: sum of (tau - s tan psi) dp", "J/m2", dissipated, by_hand, "closed form", 1e-12, 1e-14,
-                   "a trapezoid of straight lines: rounding")  # fmt: skip
+    findings.check("locked: compression, largest deviation", "Pa", off[0], 0.0, ROUNDING, scale=pressed.max())
+    findings.check("locked: shear stress, largest deviation", "Pa", off[1], 0.0, ROUNDING, scale=walked.tau.max())
+    tolerance = Tolerance(1e-12, 1e-14, "a trapezoid of straight lines: rounding")
+    findings.check("locked: dissipated", "J/m2", walked.dissipated[-1], by_hand, tolerance)
+    findings.check("locked: sum of (tau - s tan psi) dp", "J/m2", dissipated, by_hand, tolerance)
     lines = (
         Line("compression", 1e6 * slip, -1e-6 * walked.sigma),
         Line("shear stress", 1e6 * slip, 1e-6 * walked.tau),
@@ -74,12 +70,12 @@ def as_steep_as_friction(findings: Findings) -> None:
     for name in ("linear", "exponential"):
         steep = law(name, cohesion=0.1e6, dilation_angle=atan(0.73) * (1 - 1e-12), dilation_cutoff=1.0)
         dissipated = walk(steep, along(corners, 0.5 * UM)).dissipated
-        findings.check(f"as steep as friction, {name}: largest fall of the dissipation", "J/m2",
-                       float(min(np.diff(dissipated).min(), 0.0)), 0.0, "closed form", 1e-12, 1e-14,
-                       "tau >= s tan(psi): rounding", float(dissipated[-1]))  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "tau >= s tan(psi): rounding")
+        quantity = f"as steep as friction, {name}: largest fall of the dissipation"
+        findings.check(quantity, "J/m2", min(np.diff(dissipated).min(), 0.0), 0.0, tolerance, scale=dissipated[-1])
     steepest = threshold(lambda angle: refused("linear", dilation_angle=angle), 0.0, 1.5, 60)[0]
-    findings.check("steepest dilation angle that is accepted", "rad", steepest, atan(0.73), "closed form", 1e-13, 1e-15,
-                   "bisection of a comparison: rounding")  # fmt: skip
+    tolerance = Tolerance(1e-13, 1e-15, "bisection of a comparison: rounding")
+    findings.check("steepest dilation angle that is accepted", "rad", steepest, atan(0.73), tolerance)
 
 
 def ended(findings: Findings) -> None:
@@ -90,9 +86,9 @@ def ended(findings: Findings) -> None:
             state = contact(interface)
             walk((shape, interface), along([(0, 0, -2 * UM), (80 * UM, 0, -2 * UM), (0, 0, -2 * UM)], 0.7 * UM), state)
             assert state.dilation is not None
-            findings.check(f"rise at a cut-off of {1e6 * cutoff:g} um, {name}", "m", float(state.dilation[0]),
-                           tan(PSI) * cutoff, "closed form", 1e-12, 1e-14,
-                           "a sum that stops at its limit: rounding")  # fmt: skip
+            tolerance = Tolerance(1e-12, 1e-14, "a sum that stops at its limit: rounding")
+            quantity = f"rise at a cut-off of {1e6 * cutoff:g} um, {name}"
+            findings.check(quantity, "m", state.dilation[0], tan(PSI) * cutoff, tolerance)
 
 
 def run() -> Findings:

@@ -19,7 +19,7 @@ Reference: eqs (7), (8), (12) to (17) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.one_contact import along, law, walk
 from verification.fixtures.single_tension import ROUNDING, UM
 from verification.fixtures.thresholds import threshold
@@ -63,12 +63,12 @@ def softening(findings: Findings, name: str) -> None:
         cone = left * np.maximum(JOINT.c0 - walked.sigma * JOINT.tan0, 0.0)
         beyond = max(beyond, *(walked.sigma - envelope), *(walked.tau - cone))
     apart = np.abs(np.stack([walked.stress for walked in walks], axis=1) - by_points(name, paths)).max()
-    findings.check(f"stress beyond the envelope of pure tension and its share of the cone, {name}", "Pa",
-                float(max(beyond, 0.0)), 0.0, "closed form", 1e-12, 1e-15, "the return ends on the cone: " + ROUNDING,
-                JOINT.fT)  # fmt: skip
-    findings.check(f"stresses against a joint integrated apart, {name}, largest deviation", "Pa", float(apart), 0.0,
-                "same discretisation", 3 * APART[name], APART[name],
-                "of first order in the step of 0.05 um", JOINT.c0)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-15, "the return ends on the cone: " + ROUNDING.reason)
+    quantity = f"stress beyond the envelope of pure tension and its share of the cone, {name}"
+    findings.check(quantity, "Pa", max(beyond, 0.0), 0.0, tolerance, scale=JOINT.fT)
+    tolerance = Tolerance(3 * APART[name], APART[name], "of first order in the step of 0.05 um", "same discretisation")
+    quantity = f"stresses against a joint integrated apart, {name}, largest deviation"
+    findings.check(quantity, "Pa", apart, 0.0, tolerance, scale=JOINT.c0)
 
 
 def alone(findings: Findings) -> None:
@@ -77,8 +77,8 @@ def alone(findings: Findings) -> None:
     for angle in np.radians(ANGLES):
         walked = walk(chosen, along([(0, 0, 0), FAR * np.array([np.cos(angle), 0.0, np.sin(angle)])], STEP))
         off = max(off, float(np.abs(walked.sigma - tension("linear", JOINT, walked.path[:, 2])).max()))
-    findings.check("normal stress with independent coupling, largest deviation", "Pa", off, 0.0, "closed form", 1e-12,
-                1e-14, ROUNDING, JOINT.fT)  # fmt: skip
+    quantity = "normal stress with independent coupling, largest deviation"
+    findings.check(quantity, "Pa", off, 0.0, ROUNDING, scale=JOINT.fT)
 
 
 def closed_again(findings: Findings) -> None:
@@ -89,8 +89,10 @@ def closed_again(findings: Findings) -> None:
     for coupling, wanted in (("combined", residual + fraction * (peak - residual)), ("independent", JOINT.ks * slip)):
         path = along([(0, 0, 0), (0, 0, torn), (0, 0, z), (wanted / JOINT.ks, 0, z), (slip, 0, z)], STEP)
         tau = float(walk(law("linear", coupling=coupling), path).tau.max())
-        findings.check(f"largest shear stress of a torn contact under compression, {coupling}", "Pa", tau, wanted,
-                    "closed form", 1e-12, 1e-14, "the return ends on the cone: " + ROUNDING)  # fmt: skip
+        quantity = f"largest shear stress of a torn contact under compression, {coupling}"
+        findings.check(
+            quantity, "Pa", tau, wanted, Tolerance(1e-12, 1e-14, "the return ends on the cone: " + ROUNDING.reason)
+        )
 
 
 def first_yield(chosen: tuple, direction: np.ndarray) -> float:
@@ -119,14 +121,14 @@ def run() -> Findings:
             worst = max(worst, abs(had / wanted - 1.0))
             stress.append((JOINT.kn * had * s, JOINT.ks * had * c))
             limit.append((JOINT.kn * wanted * s, JOINT.ks * wanted * c))
-        findings.check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, "closed form", 1e-12,
-                    1e-14, "bisection of a comparison of stresses: rounding", 1.0)  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "bisection of a comparison of stresses: rounding")
+        findings.check(f"first yield, {name}, largest deviation over all angles", "1", worst, 0.0, tolerance, scale=1.0)
         softening(findings, name)
         apex = WEAK / JOINT.tan0
         weak = walk(law(name, cohesion=WEAK), along([(0, 0, 0), (0, 0, apex / JOINT.kn), (0, 0, 3 * UM)], 0.1 * UM))
         pulled = weak.sigma.max()
-        findings.check(f"most tension, cone below the cut-off, {name}", "Pa", float(pulled), apex, "closed form", 1e-12,
-                    1e-15, "the path comes to the apex: rounding")  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-15, "the path comes to the apex: rounding")
+        findings.check(f"most tension, cone below the cut-off, {name}", "Pa", pulled, apex, tolerance)
     alone(findings)
     closed_again(findings)
     yields, wanted_at = 1e-6 * np.array(stress), 1e-6 * np.array(limit[: len(ANGLES)])

@@ -40,11 +40,11 @@ def run() -> Findings:
             alone = JOINT.c_res - left * fraction * JOINT.tan_res
             for coupling, wanted in (("combined", lost), ("independent", max(alone, 0.0))):
                 where = f"torn to {kappa / UM:g} um, at {fraction:g} of it, {coupling}"
-                findings.check(f"shear stress, {where}", "Pa", slid(kappa, e, coupling), wanted, "closed form", 1e-12,
-                            1e-14, ROUNDING, JOINT.c_res)  # fmt: skip
+                value = slid(kappa, e, coupling)
+                findings.check(f"shear stress, {where}", "Pa", value, wanted, ROUNDING, scale=JOINT.c_res)
         wanted = JOINT.c_res + JOINT.kn * PRESSED * JOINT.tan_res
-        findings.check(f"shear stress, torn to {kappa / UM:g} um, pressed", "Pa", slid(kappa, -PRESSED, "combined"),
-                    wanted, "closed form", 1e-12, 1e-14, ROUNDING)  # fmt: skip
+        quantity = f"shear stress, torn to {kappa / UM:g} um, pressed"
+        findings.check(quantity, "Pa", slid(kappa, -PRESSED, "combined"), wanted, ROUNDING)
     return findings
 
 

@@ -34,7 +34,7 @@ from collections.abc import Iterator
 from functools import partial
 from math import exp
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.single_shear import COMPRESSIONS, JOINT, LAST, STEP, energies, envelope, slid
 from verification.fixtures.single_tension import least_accepted
 
@@ -76,20 +76,12 @@ def limit(findings: Findings) -> None:
     compression, energy = 20e6, {"fracture_energy_mode_2": 1.01 * least, "fracture_energy_mode_2_slope": 0.0}
     top = JOINT.c0 + compression * JOINT.tan0
     beyond = slid("linear", compression, top / JOINT.ks, 2e-3, most=1e-6, **energy)
-    findings.check("least energy that is accepted", "N/m", accepted, least, "closed form", 1e-13, 1e-15,
-                "bisection of a comparison: rounding")  # fmt: skip
-    findings.check("largest stress beyond the brittle limit", "Pa", float(beyond.tau.max()), top, "closed form", 1e-12,
-                1e-14, "strength never grows: rounding")  # fmt: skip
-    findings.check(
-        "stress after the drop",
-        "Pa",
-        float(beyond.tau[-1]),
-        compression * JOINT.tan_res,
-        "closed form",
-        1e-12,
-        1e-14,
-        "the residual friction: rounding",
-    )
+    tolerance = Tolerance(1e-13, 1e-15, "bisection of a comparison: rounding")
+    findings.check("least energy that is accepted", "N/m", accepted, least, tolerance)
+    tolerance = Tolerance(1e-12, 1e-14, "strength never grows: rounding")
+    findings.check("largest stress beyond the brittle limit", "Pa", beyond.tau.max(), top, tolerance)
+    tolerance = Tolerance(1e-12, 1e-14, "the residual friction: rounding")
+    findings.check("stress after the drop", "Pa", beyond.tau[-1], compression * JOINT.tan_res, tolerance)
 
 
 def brittle() -> Findings:
@@ -102,9 +94,8 @@ def brittle() -> Findings:
         walked = slid("brittle", s, us0, BROKEN)
         du = (BROKEN - us0) / -(-(BROKEN - us0) // STEP)
         wanted = (top - rest) ** 2 / (2 * JOINT.ks) + rest * (BROKEN - rest / JOINT.ks) + 0.5 * (top - rest) * du
-        findings.check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", float(walked.dissipated[-1]), wanted,
-                    "closed form", 1e-12, 1e-14,
-                    "the drop in one step is exact with its d du/2: rounding of 1000 sums")  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "the drop in one step is exact with its d du/2: rounding of 1000 sums")
+        findings.check(f"dissipated at 0.1 mm at {s / 1e6:g} MPa", "J/m2", walked.dissipated[-1], wanted, tolerance)
     return findings
 
 

@@ -11,7 +11,7 @@ Reference: eqs (13), (15), (17) of the paper, in the limit.
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.single_shear import slid
 from verification.references.closed_forms import Joint, shear
 
@@ -39,13 +39,13 @@ def run() -> Findings:
             else:
                 wanted = shear(name, joint, walked.path[:, 0], compression)
             off = float(np.abs(walked.tau - wanted).max())
-            findings.check(f"{words}, {name}: stress, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
-                        "the same formula: rounding", top)  # fmt: skip
+            tolerance = Tolerance(1e-12, 1e-14, "the same formula: rounding")
+            findings.check(f"{words}, {name}: stress, largest deviation", "Pa", off, 0.0, tolerance, scale=top)
     for name in LAWS:
         walked = slid(name, 0.0, LAST, cohesion=0.0)
         most = float(max(walked.tau.max(), np.abs(walked.dissipated).max()))
-        findings.check(f"no cohesion and no compression, {name}: stress or dissipation, largest", "Pa", most, 0.0,
-                    "closed form", 1e-14, 1e-16, "nothing holds: exactly zero", 1.0)  # fmt: skip
+        quantity = f"no cohesion and no compression, {name}: stress or dissipation, largest"
+        findings.check(quantity, "Pa", most, 0.0, Tolerance(1e-14, 1e-16, "nothing holds: exactly zero"), scale=1.0)
     return findings
 
 

@@ -25,7 +25,7 @@ from functools import partial
 from math import exp
 from typing import NamedTuple
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.single_tension import (
     JOINT,
     UM,
@@ -83,16 +83,8 @@ def softening(law: str) -> Findings:
     cycle(findings, law)
     recoverable(findings, law)
     for name, unit, key, end, least in LEAST.get(law, []):
-        findings.check(
-            f"least {name} that is accepted",
-            unit,
-            least_accepted(law, key, end),
-            least,
-            "closed form",
-            1e-13,
-            1e-15,
-            "bisection of a comparison: rounding",
-        )
+        tolerance = Tolerance(1e-13, 1e-15, "bisection of a comparison: rounding")
+        findings.check(f"least {name} that is accepted", unit, least_accepted(law, key, end), least, tolerance)
     return findings
 
 
@@ -104,11 +96,14 @@ def brittle() -> Findings:
     for most in (1.0 * UM, 0.01 * UM):
         broken = opened("brittle", PEAK, BROKEN, most=most)
         du = (BROKEN - PEAK) / -(-(BROKEN - PEAK) // most)
-        findings.check(f"energy of a break, steps of {1e6 * most:g} um", "J/m2", float(broken.dissipated[-1]), ELASTIC,
-                    "closed form", 1e-12, 1e-14, "a closed area at any step: rounding")  # fmt: skip
-        findings.check(f"trapezoid of its work, steps of {1e6 * most:g} um", "J/m2", float(broken.work[-1]),
-                    ELASTIC + 0.5 * JOINT.fT * du, "closed form", 1e-12, 1e-14,
-                    "half the drop times the step in which it falls, exactly")  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "a closed area at any step: rounding")
+        value = broken.dissipated[-1]
+        findings.check(f"energy of a break, steps of {1e6 * most:g} um", "J/m2", value, ELASTIC, tolerance)
+        tolerance = Tolerance(1e-12, 1e-14, "half the drop times the step in which it falls, exactly")
+        reference = ELASTIC + 0.5 * JOINT.fT * du
+        findings.check(
+            f"trapezoid of its work, steps of {1e6 * most:g} um", "J/m2", broken.work[-1], reference, tolerance
+        )
     return findings
 
 

@@ -14,7 +14,7 @@ Reference: incremental laws such as 3DEC's; eqs (7), (12), (14), (16) of the pap
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.single_tension import JOINT, WIDEST, cycle
 from verification.references.closed_forms import LAWS, tension
 
@@ -29,8 +29,8 @@ def run() -> Findings:
         a, b = walked.sigma[below - 1], walked.sigma[below]
         stays = float(opening[below - 1] + (opening[below] - opening[below - 1]) * a / (a - b))
         wanted = WIDEST - float(tension(name, JOINT, WIDEST)) / JOINT.kn
-        findings.check(f"opening that stays, {name}", "m", stays, wanted, "closed form", 1e-12, 1e-14,
-                    "a straight line between two points: rounding")  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "a straight line between two points: rounding")
+        findings.check(f"opening that stays, {name}", "m", stays, wanted, tolerance)
     return findings
 
 

@@ -15,13 +15,13 @@ Reference: Lourenco and Rots 1997, as OOFEM's manual writes it; the areas by han
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.crushed_contact import AT_PEAK, CAP, CUT_OFF, ENERGY, FM, KN, closed_by, ours
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import bears
 
 MIDDLE = AT_PEAK + 75.0 / 67.0 * ENERGY / FM
-NEAR = "the path is given by the plastic closing: a return ends within 1e-10 of the strength"
+NEAR = Tolerance(1e-9, 1e-10, "the path is given by the plastic closing: a return ends within 1e-10 of the strength")
 
 
 def by_plastic_closing(k: np.ndarray, strength: np.ndarray) -> np.ndarray:
@@ -39,13 +39,10 @@ def of_cap(findings: Findings) -> Line:
     area = FM * AT_PEAK * (1.0 / 3.0 + np.pi / 6.0)
     beyond = float(work[-1] - work[at_peak]) - 0.1 * FM * float(k[-1] - AT_PEAK)
     reason = "trapezoids of the plastic closing"
-    findings.check("cap: work of hardening", "J/m2", float(work[at_peak]), area, "closed form", 1e-6, 2e-7, reason)
-    findings.check(
-        "cap: work of softening above the residual", "J/m2", beyond, ENERGY, "closed form", 1e-5, 2e-6, reason
-    )
+    findings.check("cap: work of hardening", "J/m2", work[at_peak], area, Tolerance(1e-6, 2e-7, reason))
+    findings.check("cap: work of softening above the residual", "J/m2", beyond, ENERGY, Tolerance(1e-5, 2e-6, reason))
     for what, at, wanted in (("peak", at_peak, FM), ("middle", at_middle, 0.5 * FM), ("end", -1, 0.1 * FM)):
-        findings.check(f"cap: strength at the {what}", "Pa", float(-walked.sigma[at]), wanted, "closed form", 1e-9,
-                       1e-10, NEAR)  # fmt: skip
+        findings.check(f"cap: strength at the {what}", "Pa", -walked.sigma[at], wanted, NEAR)
     return Line("cap", 1e3 * k[:at_middle], -1e-6 * walked.sigma[:at_middle])
 
 
@@ -55,12 +52,10 @@ def of_cut_off(findings: Findings) -> Line:
     k = np.linspace(0.0, 1.2 * length, 1201)
     walked = walk(ours(CUT_OFF), by_plastic_closing(k, bears(CUT_OFF, k)))
     work = float(walked.dissipated_by_mode[-1, 3])
-    findings.check("cut-off: work of crushing", "J/m2", work, ENERGY, "closed form", 1e-9, 1e-10,
-                   "trapezoids of a straight line; a return ends within 1e-10 of the strength")  # fmt: skip
-    findings.check("cut-off: strength half way", "Pa", float(-walked.sigma[500]), 0.5 * FM, "closed form", 1e-9,
-                   1e-10, NEAR)  # fmt: skip
-    findings.check("cut-off: strength behind the end", "Pa", float(-walked.sigma[-1]), 0.0, "closed form", 1e-9, 1e-10,
-                   NEAR, FM)  # fmt: skip
+    tolerance = Tolerance(1e-9, 1e-10, "trapezoids of a straight line; a return ends within 1e-10 of the strength")
+    findings.check("cut-off: work of crushing", "J/m2", work, ENERGY, tolerance)
+    findings.check("cut-off: strength half way", "Pa", -walked.sigma[500], 0.5 * FM, NEAR)
+    findings.check("cut-off: strength behind the end", "Pa", -walked.sigma[-1], 0.0, NEAR, scale=FM)
     return Line("cut-off", 1e3 * k, -1e-6 * walked.sigma)
 
 

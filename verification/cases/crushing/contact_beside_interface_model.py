@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks.crushed_contact import CAP, CUT_OFF, FM, of_interface_model, ours, theirs
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import Compression
@@ -55,14 +55,16 @@ def run() -> Findings:
     """Without softening at one step, with it as the steps are halved."""
     findings = Findings()
     for words, compression in (("cap", CAP), ("cut-off", CUT_OFF)):
-        findings.check(f"{words}, nothing is lost in shear: stresses, largest difference", "1",
-                       float(apart(compression, STEPS[0], **WHOLE).max()), 0.0, "same discretisation", 1e-8, 1e-9,
-                       "one scheme, two programs: what the roots are found to", 1.0)  # fmt: skip
+        tolerance = Tolerance(
+            1e-8, 1e-9, "one scheme, two programs: what the roots are found to", "same discretisation"
+        )
+        quantity = f"{words}, nothing is lost in shear: stresses, largest difference"
+        findings.check(quantity, "1", apart(compression, STEPS[0], **WHOLE).max(), 0.0, tolerance, scale=1.0)
     off = np.array([np.median(apart(CAP, steps)) for steps in STEPS])
-    findings.check("cap, all softens: median difference, halved with the step", "1", float(off[-1] / off[-2]), 0.5,
-                   "same discretisation", 0.2, 0.06, "of first order, and a corner more or less")  # fmt: skip
-    findings.check("cap, all softens: median difference with 80 steps a leg", "1", float(off[-1]), 0.0,
-                   "same discretisation", 2e-4, 7e-5, "of first order in the step", 1.0)  # fmt: skip
+    tolerance = Tolerance(0.2, 0.06, "of first order, and a corner more or less", "same discretisation")
+    findings.check("cap, all softens: median difference, halved with the step", "1", off[-1] / off[-2], 0.5, tolerance)
+    tolerance = Tolerance(2e-4, 7e-5, "of first order in the step", "same discretisation")
+    findings.check("cap, all softens: median difference with 80 steps a leg", "1", off[-1], 0.0, tolerance, scale=1.0)
     return findings
 
 

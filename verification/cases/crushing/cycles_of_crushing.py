@@ -11,7 +11,7 @@ by what has closed for good.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.crushed_contact import AT_PEAK, CAP, CUT_OFF, FM, KN, closed_by, ours
 from verification.fixtures.one_contact import Walk, along, walk
 from verification.references.interface.crushing import Compression, bears
@@ -49,15 +49,16 @@ def run() -> Findings:
         at = np.array(turns)
         back = (walked.sigma[at] - walked.sigma[at + 1]) / (walked.path[at, 2] - walked.path[at + 1, 2])
         live = walked.sigma[at + 1] < 0.0
-        findings.check(f"{words}: stiffness on the way back, largest deviation", "Pa/m",
-                       float(np.abs(back[live] - KN).max()), 0.0, "closed form", 1e-9, 1e-10,
-                       "a straight line", KN)  # fmt: skip
+        tolerance = Tolerance(1e-9, 1e-10, "a straight line")
+        quantity = f"{words}: stiffness on the way back, largest deviation"
+        findings.check(quantity, "Pa/m", np.abs(back[live] - KN).max(), 0.0, tolerance, scale=KN)
         again = np.abs(walked.sigma[at] - walked.sigma[at + 3]).max()
-        findings.check(f"{words}: stress at the turns before and after the way back", "Pa", float(again), 0.0,
-                       "closed form", 1e-9, 1e-10, "nothing is lost on an elastic way", FM)  # fmt: skip
+        tolerance = Tolerance(1e-9, 1e-10, "nothing is lost on an elastic way")
+        quantity = f"{words}: stress at the turns before and after the way back"
+        findings.check(quantity, "Pa", again, 0.0, tolerance, scale=FM)
         off = np.abs(-walked.sigma[at] - whole(compression, TURNS)).max()
-        findings.check(f"{words}: stress at the turns against that without cycles", "Pa", float(off), 0.0,
-                       "closed form", 1e-9, 1e-10, "one step between two turns ends on the curve", FM)  # fmt: skip
+        tolerance = Tolerance(1e-9, 1e-10, "one step between two turns ends on the curve")
+        findings.check(f"{words}: stress at the turns against that without cycles", "Pa", off, 0.0, tolerance, scale=FM)
         lines.append(Line(words, -1e3 * walked.path[:, 2], -1e-6 * walked.sigma))
     findings.plot("To and fro", "closing (mm)", "compression (MPa)", *lines)
     slides(findings)
@@ -72,17 +73,16 @@ def slides(findings: Findings) -> None:
     walked = walk(ours(CAP), along(places, STEP))
     modes, hardening = walked.dissipated_by_mode, walked.crushed
     assert hardening is not None
-    findings.at_most("dissipation of a mode in a step, taken back", "J/m2", float(-np.diff(modes, axis=0).min()),
-                     1e-10 * float(modes[-1].sum()), "nothing is given back")  # fmt: skip
-    findings.at_most("hardening variable and closing, taken back", "m", float(-np.diff(hardening, axis=0).min()), 0.0,
-                     "what is crushed stays crushed")  # fmt: skip
+    reason = "nothing is given back"
+    quantity = "dissipation of a mode in a step, taken back"
+    findings.at_most(quantity, "J/m2", -np.diff(modes, axis=0).min(), 1e-10 * float(modes[-1].sum()), reason)
+    reason = "what is crushed stays crushed"
+    findings.at_most("hardening variable and closing, taken back", "m", -np.diff(hardening, axis=0).min(), 0.0, reason)
     beyond = np.hypot(np.minimum(walked.sigma, 0.0), 3.0 * walked.tau) - bears(CAP, hardening[:, 1])
-    findings.at_most(
-        "stress beyond the cap", "Pa", float(beyond.max()), 1e-9 * FM, "a return ends on the cap or within"
-    )
+    findings.at_most("stress beyond the cap", "Pa", beyond.max(), 1e-9 * FM, "a return ends on the cap or within")
     gap = np.abs(walked.gap).max() / float(modes[-1].sum())
-    findings.check("work less stored less dissipated", "1", float(gap), 0.0, "closed form", 5e-3, 1e-3,
-                   "of first order in the step of 2 um", 1.0)  # fmt: skip
+    tolerance = Tolerance(5e-3, 1e-3, "of first order in the step of 2 um")
+    findings.check("work less stored less dissipated", "1", gap, 0.0, tolerance, scale=1.0)
 
 
 CASE = Case(

@@ -14,7 +14,7 @@ Reference: Lourenco and Rots 1997, with Cnn = 1, Cn = 0, Css = 9.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.crushed_contact import AT_PEAK, CAP, FACTOR, FM, KN, KS, STRONG, ours
 from verification.fixtures.one_contact import walk
 from verification.references.interface.crushing import bears
@@ -40,9 +40,9 @@ def run() -> Findings:
         peak = float(walked.tau.max()) if pressed == 0.0 else float(-walked.sigma.min())
         wanted = FM / 3.0 if pressed == 0.0 else FM / reach
         off = np.hypot(walked.sigma + s, walked.tau - t)[1:].max()
-        findings.check(f"peak, {words}", "Pa", peak, wanted, "closed form", 1e-9, 1e-10, REASON)
-        findings.check(f"both stresses, {words}, largest deviation", "Pa", float(off), 0.0, "closed form", 1e-8, 1e-9,
-                       REASON, FM)  # fmt: skip
+        findings.check(f"peak, {words}", "Pa", peak, wanted, Tolerance(1e-9, 1e-10, REASON))
+        tolerance = Tolerance(1e-8, 1e-9, REASON)
+        findings.check(f"both stresses, {words}, largest deviation", "Pa", off, 0.0, tolerance, scale=FM)
         lines.append(Line(words, -1e-6 * walked.sigma, 1e-6 * walked.tau, "points"))
     angle = np.linspace(0.0, 0.5 * np.pi, 50)
     cap = Line("cap at its peak", 1e-6 * FM * np.cos(angle), 1e-6 * FM / 3.0 * np.sin(angle), "dashed")

@@ -19,7 +19,7 @@ Reference: stresses over a plane section, by hand.
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "rocking-joint"
@@ -57,11 +57,11 @@ def run() -> Findings:
     turn, had = turns_and_moments(result)
     wanted = moment(turn)
     worst = int(np.argmax(np.abs(had - wanted)))
-    findings.check("moment where it differs most, over the limit", "N m", float(had[worst]),
-                   float(wanted[worst]), "closed form", 1.2e-2, 8e-3, f"{POINTS} points along the joint",
-                   LIMIT)  # fmt: skip
-    findings.check("moment at the end", "N m", float(had[-1]), float(wanted[-1]), "closed form", 5e-3, 1e-3,
-                   f"{POINTS} points along the joint")  # fmt: skip
+    tolerance = Tolerance(1.2e-2, 8e-3, f"{POINTS} points along the joint")
+    quantity = "moment where it differs most, over the limit"
+    findings.check(quantity, "N m", had[worst], wanted[worst], tolerance, scale=LIMIT)
+    tolerance = Tolerance(5e-3, 1e-3, f"{POINTS} points along the joint")
+    findings.check("moment at the end", "N m", had[-1], wanted[-1], tolerance)
     lines = (
         Line("run", 1e3 * turn, 1e-3 * had, "points"),
         Line("closed form", 1e3 * turn, 1e-3 * wanted, "dashed"),

@@ -18,7 +18,7 @@ Reference: moments about the toe in the turned shape, and stresses over a plane 
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.cases.crushing.rocking_joint import FORCE, LENGTH, STIFFNESS, STRENGTH, THICKNESS
 from verification.scene_runs import result_of
 
@@ -54,13 +54,12 @@ def run() -> Findings:
     turn, had, crushing = turn[rocks], rows["force"][rocks], rows["crushing"][rocks]
     wanted, limit = force_at(turn), float(force_at(turn).max())
     worst = int(np.argmax(np.abs(had - wanted)))
-    findings.check("force where it differs most, over the largest", "N", float(had[worst]), float(wanted[worst]),
-                   "closed form", 2e-2, 1e-2, REASON, limit)  # fmt: skip
-    findings.check("force at the end", "N", float(had[-1]), float(wanted[-1]), "closed form", 5e-3, 1.1e-3,
-                   REASON)  # fmt: skip
+    quantity = "force where it differs most, over the largest"
+    findings.check(quantity, "N", had[worst], wanted[worst], Tolerance(2e-2, 1e-2, REASON), scale=limit)
+    findings.check("force at the end", "N", had[-1], wanted[-1], Tolerance(5e-3, 1.1e-3, REASON))
     pressed = result.summary.compression_max_pa or 0.0
-    findings.check("largest compression", "Pa", pressed, STRENGTH, "closed form", 1e-9, 1e-10,
-                   "the accuracy of the return to the cut-off")  # fmt: skip
+    tolerance = Tolerance(1e-9, 1e-10, "the accuracy of the return to the cut-off")
+    findings.check("largest compression", "Pa", pressed, STRENGTH, tolerance)
     by_hand = STRENGTH * THICKNESS * turn[-1] * 0.5 * float(crushed_length(turn[-1:])[0]) ** 2
     share = float(crushing[-1]) / by_hand
     findings.at_most("energy of crushing over that of the stress block", "", share, 1.35, REASON)

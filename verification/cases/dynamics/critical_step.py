@@ -18,7 +18,7 @@ from masonry import scene
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
 from masonry.laboratory import laboratory
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks import critical
 from verification.fixtures import assembled, models
 
@@ -32,14 +32,16 @@ def rigid() -> Findings:
     model = assemble(scene.load("couplet", GIVEN)).model
     omega, _ = assembled.fastest(model, assembled.stiffness(model, models.STONE))
     mass, spring = 1900.0 * 0.2 * 0.05 * 0.05, 150e9 * 0.2 * 0.05
-    findings.check("couplet: highest frequency", "rad/s", omega, float(np.sqrt(spring / mass)), "closed form", 1e-12,
-                1e-15, "one degree of freedom that is free: sqrt(k_n A/m)")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-15, "one degree of freedom that is free: sqrt(k_n A/m)")
+    findings.check("couplet: highest frequency", "rad/s", omega, np.sqrt(spring / mass), tolerance)
     limit = float(2.0 / omega / np.sqrt(1.8))
     result = laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.BELOW * limit!r} s"}))
     findings.note("couplet at 0.99 of the limit", result)
-    findings.check("couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"],
-                0.73 * 0.5e6 + 1.01e6 * float(np.exp(-0.87e6 / 123.0 * (1e-3 - 1.375e6 / 70e9))), "closed form", 1e-12,
-                1e-14, "as at any stable step: the settled confinement")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "as at any stable step: the settled confinement")
+    reference = 0.73 * 0.5e6 + 1.01e6 * float(np.exp(-0.87e6 / 123.0 * (1e-3 - 1.375e6 / 70e9)))
+    findings.check(
+        "couplet: residual stress at 0.99 of the limit", "Pa", result.summary["final_stress_pa"], reference, tolerance
+    )
     said = ""
     try:
         laboratory.run(scene.load("couplet", {**GIVEN, "solver.time_step": f"{critical.ABOVE * limit!r} s"}))
@@ -49,8 +51,8 @@ def rigid() -> Findings:
         findings.remarks.append(f"At 1.05 of the limit: {said}")
         said = said if all(np.isfinite(values).all() for values in rows.values()) else ""
     named = "unstable at step" in said and "block 1" in said and "gershgorin" in said
-    findings.check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", float(named), 1.0,
-                "closed form", 1e-14, 0.0, "yes or no")  # fmt: skip
+    tolerance = Tolerance(1e-14, 0.0, "yes or no")
+    findings.check("couplet: stopped at 1.05 of the limit, its block named, rows finite", "1", named, 1.0, tolerance)
     return findings
 
 

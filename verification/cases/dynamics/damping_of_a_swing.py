@@ -15,7 +15,7 @@ Reference: by hand; roots of the polynomial.
 import numpy as np
 
 from masonry.model.damping import flat_branches
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "oscillator"
@@ -40,7 +40,7 @@ KINDS: dict[str, tuple[dict, float]] = {
     "local": ({"local": 0.157}, float(np.log(1.157 / 0.843) / (2.0 * np.pi))),
 }
 """What the table says, and the ratio at the frequency of the block."""
-ACCURACY = {
+ACCURACY: dict[str, tuple[float, float]] = {
     **{"mass": (4e-5, 1e-5), "rayleigh": (5e-4, 1e-4), "local": (2e-4, 5e-5)},
     **dict.fromkeys(("stiffness", "maxwell"), (1e-2, 3e-3)),
 }
@@ -90,8 +90,8 @@ def run() -> Findings:
     for kind, (damping, ratio) in kinds.items():
         result = findings.note(kind, result_of(SCENE, swinging(damping, 10.0 / HERTZ)))
         wanted = 2.0 * np.pi * ratio / (1.0 if kind == "local" else np.sqrt(1.0 - ratio**2))
-        findings.check(f"logarithmic decrement, {kind}", "1", decrement(result.history.rows, 12), float(wanted),
-                       "closed form", *ACCURACY[kind], "half a step of lag; local: where it turns")  # fmt: skip
+        tolerance = Tolerance(*ACCURACY[kind], "half a step of lag; local: where it turns")
+        findings.check(f"logarithmic decrement, {kind}", "1", decrement(result.history.rows, 12), wanted, tolerance)
     falls(findings)
     bound(findings)
     result = findings.note(
@@ -99,8 +99,8 @@ def run() -> Findings:
     )
     energy = result.history.rows["kinetic"] + result.history.rows["elastic_contacts"]
     early, late = energy[1:400].mean(), energy[-400:].mean()
-    findings.at_most("energy lost or won in 1000 periods", "1", float(abs(late / early - 1.0)), 1e-6,
-                     "leapfrog keeps v(n-1/2) m v(n+1/2)/2 + k x^2/2 but for rounding")  # fmt: skip
+    reason = "leapfrog keeps v(n-1/2) m v(n+1/2)/2 + k x^2/2 but for rounding"
+    findings.at_most("energy lost or won in 1000 periods", "1", abs(late / early - 1.0), 1e-6, reason)
     return findings
 
 
@@ -117,8 +117,8 @@ def falls(findings: Findings) -> None:
     rows = findings.note("free fall", result_of(SCENE, knobs)).history.rows
     speed = float(np.sqrt(2.0 * rows["kinetic"][-1] / 8.0))
     wanted = g / rate * (1.0 - np.exp(-rate * rows["time"][-1]))
-    findings.check("speed of a fall under mass damping", "m/s", speed, float(wanted), "closed form",
-                   5e-4, 2e-4, "half a step of 0.1 ms")  # fmt: skip
+    tolerance = Tolerance(5e-4, 2e-4, "half a step of 0.1 ms")
+    findings.check("speed of a fall under mass damping", "m/s", speed, wanted, tolerance)
 
 
 def bound(findings: Findings) -> None:

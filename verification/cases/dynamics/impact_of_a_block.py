@@ -15,7 +15,7 @@ Reference: the half sine, by hand.
 import numpy as np
 
 from masonry.model.model import Stepping
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.free_motion import follow, loose
 from verification.fixtures import models, shapes
 
@@ -61,10 +61,10 @@ def run() -> Findings:
     ):
         size = float(exact[k]) if k < 2 else 1.0
         order = float(np.log2(errors[-2, k] / errors[-1, k]) / np.log2((COUNTS[-1] + 0.5) / (COUNTS[-2] + 0.5)))
-        findings.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, "closed form",
-                    3 * expected, expected, "three times the leading term of leapfrog")  # fmt: skip
-        findings.check(f"order of the {name} in dt", "1", order, 2.0, "closed form", 5e-4, 1e-4,
-                    "leapfrog; the next term is (w dt)^2 = 4e-4 of the first")  # fmt: skip
+        tolerance = Tolerance(3 * expected, expected, "three times the leading term of leapfrog")
+        findings.check(f"{name}, {COUNTS[-1]} steps", unit, float(errors[-1, k] + 1) * size, size, tolerance)
+        tolerance = Tolerance(5e-4, 1e-4, "leapfrog; the next term is (w dt)^2 = 4e-4 of the first")
+        findings.check(f"order of the {name} in dt", "1", order, 2.0, tolerance)
     t, force = runs[1][0]
     wanted = exact[1] * np.maximum(np.sin(OMEGA * np.minimum(t, exact[0])), 0.0)
     lines = (Line("40 steps", 1e3 * t, force, "points"), Line("half sine", 1e3 * t, wanted, "dashed"))

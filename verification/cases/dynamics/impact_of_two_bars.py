@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 from scipy.special import itj0y0
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.free_motion import follow, glued
 from verification.fixtures import models, shapes
 
@@ -78,7 +78,7 @@ def released(count: int) -> float:
 
 def run() -> Findings:
     """The lattice's curve and its order; the continuum's force and duration."""
-    findings, kind = Findings(), "closed form"
+    findings = Findings()
     off = []
     for fraction in (0.08, 0.04, 0.02):
         t, force, _ = meet(findings, 50, fraction, 60.0)
@@ -88,19 +88,20 @@ def run() -> Findings:
     findings.plot("Force of the impact", "w t (1)", "force over Z v/2 (1)", *lines)
     # a frequency f of leapfrog is off by (f dt)^2/24: the tail sqrt(1/(pi w t)) at 2 w is shifted by 2 w t of that
     expected = float(np.sqrt(60 / np.pi) * 2 * (2 * 0.02) ** 2 / 24)
-    findings.check("force against the lattice, largest deviation over Z v/2", "1", off[2], 0.0, kind, 3 * expected,
-                expected, "the phase that leapfrog gains at the highest frequency by the end of the curve",
-                1.0)  # fmt: skip
-    findings.check("order of the force in dt", "1", float(np.log2(off[1] / off[2])), 2.0, kind, 0.02, 5e-3, "leapfrog")
+    tolerance = Tolerance(
+        3 * expected, expected, "the phase that leapfrog gains at the highest frequency by the end of the curve"
+    )
+    findings.check("force against the lattice, largest deviation over Z v/2", "1", off[2], 0.0, tolerance, scale=1.0)
+    findings.check("order of the force in dt", "1", np.log2(off[1] / off[2]), 2.0, Tolerance(0.02, 5e-3, "leapfrog"))
     late = []
     for fraction in (0.04, 0.02):
         t, force, _ = meet(findings, 50, fraction, 110.0)
         late.append(parting(t, force, 50) / released(50) - 1.0)
-    findings.check("duration against the lattice, 50 blocks", "s", (late[1] + 1) * released(50) / OMEGA,
-                released(50) / OMEGA, kind, 1e-4, 3e-5, "leapfrog, at the low frequencies of the front")  # fmt: skip
-    findings.check(
-        "order of the duration in dt", "1", float(np.log2(late[0] / late[1])), 2.0, kind, 0.05, 0.01, "leapfrog"
-    )
+    tolerance = Tolerance(1e-4, 3e-5, "leapfrog, at the low frequencies of the front")
+    value = (late[1] + 1) * released(50) / OMEGA
+    findings.check("duration against the lattice, 50 blocks", "s", value, released(50) / OMEGA, tolerance)
+    tolerance = Tolerance(0.05, 0.01, "leapfrog")
+    findings.check("order of the duration in dt", "1", np.log2(late[0] / late[1]), 2.0, tolerance)
     lost = []
     for count in (100, 200):
         t, force, speed = meet(findings, count, 0.1, 2.6 * count)
@@ -108,13 +109,15 @@ def run() -> Findings:
     first, longer = t <= count, released(count) / (2 * count) - 1.0
     tail = float((2 * count) ** -1.5 * np.sqrt(2 / np.pi))
     mean = float(np.trapezoid(force[first], t[first]) / count)
-    findings.check("mean force up to L/c, 200 blocks", "N", mean, FORCE, kind, 3 * tail, tail,
-                "what the integral of J0 still swings, averaged: sqrt(2/pi) (2 N)^(-3/2)")  # fmt: skip
-    findings.check("duration, 200 blocks", "s", parting(t, force, count) / OMEGA, 2 * count / OMEGA, kind, 3 * longer,
-                longer, "by as much as the front is smeared, of order N^(-2/3): that of the lattice in closed "
-                "form")  # fmt: skip
-    findings.check("order of the velocity kept in the number of blocks", "1", float(np.log2(lost[0] / lost[1])), 2 / 3,
-                kind, 0.02, 5e-3, "what rings on in the bars: N^(-2/3) of the energy")  # fmt: skip
+    tolerance = Tolerance(3 * tail, tail, "what the integral of J0 still swings, averaged: sqrt(2/pi) (2 N)^(-3/2)")
+    findings.check("mean force up to L/c, 200 blocks", "N", mean, FORCE, tolerance)
+    tolerance = Tolerance(
+        3 * longer, longer, "by as much as the front is smeared, of order N^(-2/3): that of the lattice in closed form"
+    )
+    findings.check("duration, 200 blocks", "s", parting(t, force, count) / OMEGA, 2 * count / OMEGA, tolerance)
+    tolerance = Tolerance(0.02, 5e-3, "what rings on in the bars: N^(-2/3) of the energy")
+    value = np.log2(lost[0] / lost[1])
+    findings.check("order of the velocity kept in the number of blocks", "1", value, 2 / 3, tolerance)
     findings.plot(
         "Bars of 200 blocks",
         "w t (1)",

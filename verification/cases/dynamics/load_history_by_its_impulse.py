@@ -12,7 +12,7 @@ Reference: Newton; areas by hand.
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import result_of
 
 SIDES, HEIGHT, DENSITY = (0.2, 0.1), 0.05, 1900.0
@@ -35,9 +35,9 @@ def run() -> Findings:
     rows = result.history.rows
     why = "the line over the first 200 steps: 5e-5 of the impulse, twice of its square"
     for name, key in (("kinetic energy", "kinetic"), ("work of the loads", "external_work")):
-        findings.check(f"{name} at the end", "J", float(rows[key][-1]), wanted, "closed form", 3e-4, 1e-4, why)
-    findings.check("time at the end", "s", float(rows["time"][-1]), STEP * (SETTLE + 1 + STEPS), "closed form", 1e-13,
-                1e-15, "steps times the step: rounding")  # fmt: skip
+        findings.check(f"{name} at the end", "J", rows[key][-1], wanted, Tolerance(3e-4, 1e-4, why))
+    tolerance = Tolerance(1e-13, 1e-15, "steps times the step: rounding")
+    findings.check("time at the end", "s", rows["time"][-1], STEP * (SETTLE + 1 + STEPS), tolerance)
     return findings
 
 

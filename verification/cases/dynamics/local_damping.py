@@ -15,7 +15,7 @@ Reference: by hand, eq. (3) of the paper.
 import numpy as np
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.free_motion import follow, glued, loose
 from verification.fixtures import models, shapes
 
@@ -55,41 +55,32 @@ def run() -> Findings:
     findings = Findings()
     runs = [swung(findings, fraction) for fraction in FRACTIONS]
     place, when, crossing, where = runs[-1]
-    dt, kind = 2 * FRACTIONS[-1] / OMEGA, "closed form"
+    dt = 2 * FRACTIONS[-1] / OMEGA
     first, square = -where[0] / START, (OMEGA * dt) ** 2
     undamped, late = XI / (2 * (1 - XI)) * square, 2 * XI / (1 - XI) * dt
     errors = [-w[0] / START / RATIO - 1 for *_, w in runs]
-    findings.check("first half cycle over the start", "1", float(first), RATIO, kind, 3 * undamped, undamped,
-                "three times what the undamped first step adds")  # fmt: skip
-    findings.check("order of the first amplitude in dt", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, kind, 0.05,
-                0.01, "the turning point, whose share of a step differs, adds up to a tenth as much again")  # fmt: skip
-    findings.check("second half cycle over the first", "1", float(-where[1] / where[0]), RATIO, kind, 3 * undamped,
-                undamped,
-                "at most (1 + xi)^2/(8 (1 - xi)) (w dt)^2 = 2 (w dt)^2 by the step in which it turns")  # fmt: skip
-    findings.check("half period", "s", float(when[1] - when[0]), HALF, kind, late / HALF, 0.5 * late / HALF,
-                "the step in which it turns: at most 2 xi dt/(1 - xi)")  # fmt: skip
-    findings.check(
-        "half period and what that step gains",
-        "s",
-        float(when[1] - when[0] + (1 - crossing[0]) * late),
-        HALF,
-        kind,
-        3 * dt / HALF * OMEGA * dt,
-        dt / HALF * OMEGA * dt,
-        "of second order: (w dt)^2 over w times the period",
+    tolerance = Tolerance(3 * undamped, undamped, "three times what the undamped first step adds")
+    findings.check("first half cycle over the start", "1", first, RATIO, tolerance)
+    tolerance = Tolerance(
+        0.05, 0.01, "the turning point, whose share of a step differs, adds up to a tenth as much again"
     )
+    findings.check("order of the first amplitude in dt", "1", np.log2(errors[-2] / errors[-1]), 2.0, tolerance)
+    tolerance = Tolerance(
+        3 * undamped, undamped, "at most (1 + xi)^2/(8 (1 - xi)) (w dt)^2 = 2 (w dt)^2 by the step in which it turns"
+    )
+    findings.check("second half cycle over the first", "1", -where[1] / where[0], RATIO, tolerance)
+    tolerance = Tolerance(late / HALF, 0.5 * late / HALF, "the step in which it turns: at most 2 xi dt/(1 - xi)")
+    findings.check("half period", "s", when[1] - when[0], HALF, tolerance)
+    tolerance = Tolerance(
+        3 * dt / HALF * OMEGA * dt, dt / HALF * OMEGA * dt, "of second order: (w dt)^2 over w times the period"
+    )
+    value = when[1] - when[0] + (1 - crossing[0]) * late
+    findings.check("half period and what that step gains", "s", value, HALF, tolerance)
     model = made(loose(KN), 1e-5, GRAVITY)
     speed = follow(findings, "free fall", model, 200, lambda m: m.bodies.rigid.v[1, 2:3])[:, 0]
-    findings.check(
-        "acceleration of free fall, away from the joint",
-        "m/s2",
-        float((speed[-1] - speed[1]) / (199 * 1e-5)),
-        (1 - XI) * GRAVITY,
-        kind,
-        1e-12,
-        1e-14,
-        "a constant force: rounding of 200 sums",
-    )
+    tolerance = Tolerance(1e-12, 1e-14, "a constant force: rounding of 200 sums")
+    value = (speed[-1] - speed[1]) / (199 * 1e-5)
+    findings.check("acceleration of free fall, away from the joint", "m/s2", value, (1 - XI) * GRAVITY, tolerance)
     x = 1e3 * dt * np.arange(len(place))
     findings.plot("Swing", "time (ms)", "displacement (um)", Line("block", x, 1e6 * place))
     return findings

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from masonry.modal_analysis.vibration import ModesSettings, analyse
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.swinging_stack import STACK, Stack, keys_of, set_off
 from verification.scene_runs import load, result_of
 
@@ -82,18 +82,18 @@ def run() -> Findings:
         ("up and down", upright, STACK.up_and_down()[:3]),
     ):
         for k in range(3):
-            findings.check(f"frequency {k + 1} {name}", "Hz", float(values[k]), float(known[k]), KIND, 1e-11, 1e-12,
-                           "rounding")  # fmt: skip
+            findings.check(f"frequency {k + 1} {name}", "Hz", values[k], known[k], Tolerance(1e-11, 1e-12, "rounding"))
     tall, _ = along(TALL, 16)
     for k, (value, known_hz) in enumerate(zip(tall[:3], TALL.beam(3), strict=True)):
-        findings.check(f"frequency {k + 1} of {TALL.count} blocks and of the beam", "Hz", float(value), known_hz, KIND,
-                       1e-3, 3e-4, "blocks in place of a beam: of second order in their height")  # fmt: skip
+        tolerance = Tolerance(1e-3, 3e-4, "blocks in place of a beam: of second order in their height")
+        findings.check(f"frequency {k + 1} of {TALL.count} blocks and of the beam", "Hz", value, known_hz, tolerance)
     for k in range(3):
         free = swing(findings, k)
-        findings.check(f"frequency of a free swing in mode {k + 1}", "Hz", free.run, free.mode, "same discretisation",
-                       3.0 * free.fast, free.fast, "the leapfrog is fast by (w dt)^2/24")  # fmt: skip
-        findings.check(f"the same with the leapfrog's own frequency, mode {k + 1}", "Hz", free.run, free.leapfrog,
-                       "same discretisation", 1e-11, 1e-12, "rounding")  # fmt: skip
+        tolerance = Tolerance(3.0 * free.fast, free.fast, "the leapfrog is fast by (w dt)^2/24", "same discretisation")
+        findings.check(f"frequency of a free swing in mode {k + 1}", "Hz", free.run, free.mode, tolerance)
+        tolerance = Tolerance(1e-11, 1e-12, "rounding", "same discretisation")
+        quantity = f"the same with the leapfrog's own frequency, mode {k + 1}"
+        findings.check(quantity, "Hz", free.run, free.leapfrog, tolerance)
         if k == 0:
             findings.plot("Swing in mode 1", "time (ms)", "displacement of the top (um)",
                           Line("run", 1e3 * free.time, 1e6 * free.moved))  # fmt: skip

@@ -12,7 +12,7 @@ from typing import Any
 
 import masonry
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 
 BASE = {
     "specimen.courses": 2,
@@ -53,16 +53,21 @@ def run() -> Findings:
     for name in KNOBS:
         ratios = {quantity: value / base[quantity] for quantity, value in answers(runs[name]).items()}
         worst = max(ratios, key=lambda quantity: abs(ratios[quantity] - 1))
-        findings.check(f"{worst} over that of the base, {name}", "1", ratios[worst], 1.0, "converged run", 5e-3, 1e-3,
-                    "the catalogue allows 1 %; the larger change of peak and energy. At half the rate the base moves "
-                    "by 0.05 %, and where a crack turns depends on the last digits")  # fmt: skip
+        tolerance = Tolerance(
+            5e-3,
+            1e-3,
+            "the catalogue allows 1 %; the larger change of peak and energy. At half the rate the base moves by 0.05 "
+            "%, and where a crack turns depends on the last digits",
+            "converged run",
+        )
+        findings.check(f"{worst} over that of the base, {name}", "1", ratios[worst], 1.0, tolerance)
     for what, key in (
         ("kinetic over internal energy", "kinetic_over_internal_max"),
         ("difference of the forces of the two ends, over the peak", "reaction_mismatch_max"),
     ):
         worst = max(runs, key=lambda name: runs[name].summary[key])
-        findings.at_most(f"{what}, the largest: {worst}", "1", float(runs[worst].summary[key]), 1e-2,
-                      "the catalogue's 1 %: more is a test that inertia has a say in")  # fmt: skip
+        reason = "the catalogue's 1 %: more is a test that inertia has a say in"
+        findings.at_most(f"{what}, the largest: {worst}", "1", runs[worst].summary[key], 1e-2, reason)
     curves = {name: runs[name].history.rows for name in ("base", "half the rate", "four times the density")}
     findings.plot(
         "Stress over displacement",

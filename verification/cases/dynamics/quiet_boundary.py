@@ -20,7 +20,7 @@ import numpy as np
 
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.structured import row_of_boxes
 from verification.scene_runs import loaded
 
@@ -76,20 +76,21 @@ def run() -> Findings:
     dt = float(result.summary["time_step_s"])
     for per, value in zip(PER_WAVELENGTH, reflections(result, 0.15), strict=True):
         table = float(np.tan(0.5 * np.arcsin(np.pi / per)) ** 2)
-        findings.check(f"reflected at {per} elements a wavelength", "1", value, table, KIND, 1e-2, 5e-3,
-                       "steps of finite length reflect less, by (w dt)^2/8 over R")  # fmt: skip
-        findings.check(f"the same, of the leapfrog, at {per}", "1", value, in_steps(per, dt), KIND, 5e-3, 1.7e-3,
-                       "what is slow is still under way at the split")  # fmt: skip
+        tolerance = Tolerance(1e-2, 5e-3, "steps of finite length reflect less, by (w dt)^2/8 over R")
+        findings.check(f"reflected at {per} elements a wavelength", "1", value, table, tolerance)
+        tolerance = Tolerance(5e-3, 1.7e-3, "what is slow is still under way at the split")
+        findings.check(f"the same, of the leapfrog, at {per}", "1", value, in_steps(per, dt), tolerance)
     findings.plot("The end at which a wave comes in", "time (s)", "velocity (mm/s)",
                   Line("end", result.history.rows["time"], 1e3 * result.history.rows["in"]))  # fmt: skip
     for name, far, times in (("free", (), 2.0), ("quiet", QUIET, 1.0)):
         long = run_of(findings, f"{name} far end", 60, LONG, far, 0.1)
         rows = long.history.rows
-        findings.check(f"velocity of a {name} far end over the wave's", "1", float(rows["out"].max()) / PEAK, times,
-                       KIND, 3e-3, 1e-3, "waves of 40 elements disperse a little on the way")  # fmt: skip
+        tolerance = Tolerance(3e-3, 1e-3, "waves of 40 elements disperse a little on the way")
+        value = float(rows["out"].max()) / PEAK
+        findings.check(f"velocity of a {name} far end over the wave's", "1", value, times, tolerance)
     energy = DENSITY * SPEED * WIDTH**2 * PEAK**2 * LONG * np.sqrt(np.pi)
-    findings.check("energy that comes in and leaves", "J", 0.5 * float(rows["damping"][-1]), float(energy), KIND, 1e-3,
-                   3e-4, "a dashpot takes the wave at the far end, and as much where the stress brings it")  # fmt: skip
+    tolerance = Tolerance(1e-3, 3e-4, "a dashpot takes the wave at the far end, and as much where the stress brings it")
+    findings.check("energy that comes in and leaves", "J", 0.5 * float(rows["damping"][-1]), energy, tolerance)
     return findings
 
 

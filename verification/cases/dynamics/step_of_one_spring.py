@@ -13,7 +13,7 @@ Reference: leapfrog, by hand; Gershgorin.
 import numpy as np
 
 from masonry.model.model import Model, Stepping
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks.free_motion import glued
 from verification.fixtures import models, shapes
 
@@ -55,10 +55,8 @@ def run() -> Findings:
         ratios[f"scaled masses, xi = {damping:g}: w dt/2 sqrt(1 + xi)"] = ratio, FRACTION
     printed = blocks(Stepping("real", "equation-11", FRACTION, 0.0))
     ratios["eq. (11) by name, 2 f sqrt(m/k), over the limit"] = printed.dt / LIMIT, FRACTION * np.sqrt(2.0)
-    findings.checks += [
-        Check(name, "1", float(value), wanted, "closed form", 1e-12, 1e-15, "one spring: rounding")
-        for name, (value, wanted) in ratios.items()
-    ]
+    for name, (value, wanted) in ratios.items():
+        findings.check(name, "1", value, wanted, Tolerance(1e-12, 1e-15, "one spring: rounding"))
     return findings
 
 

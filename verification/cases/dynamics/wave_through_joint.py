@@ -13,7 +13,7 @@ contacts and leapfrog are all of second order, so the error falls as h^2.
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.waves import WAVELENGTH, Bar, Floats, Wave
 
 PULSE = 1e-6
@@ -88,13 +88,16 @@ def waves(findings: Findings, ratio: float, expected: float) -> None:
     theory = float(1 / np.sqrt(1 + 1 / (2 * ratio) ** 2))
     limit = (4 * passed[-1] - passed[-2]) / 3
     order = float(np.log2(errors[-2] / errors[-1]))
-    findings.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, "closed form", 0.05, 0.01,
-                f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, "
-                f"{errors[2]:.1e} of the largest displacement, and the next order is still felt a little")  # fmt: skip
-    findings.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, "closed form",
-                3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")  # fmt: skip
-    findings.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, "closed form", 5e-4, 1e-4,
-                "what is left is of the order h^4, some hundredths of the errors above")  # fmt: skip
+    reason = (
+        f"space and time are of second order; the errors are {errors[0]:.1e}, {errors[1]:.1e}, {errors[2]:.1e} of the "
+        "largest displacement, and the next order is still felt a little"
+    )
+    tolerance = Tolerance(0.05, 0.01, reason)
+    findings.check(f"order of the error in h, k/(wZ) = {ratio}", "1", order, 2.0, tolerance)
+    tolerance = Tolerance(3 * expected, expected, "a quarter of what a chain of masses has with half as many cells")
+    findings.check(f"|T|, k/(wZ) = {ratio}, {COUNTS[-1]} cells a wavelength", "1", passed[-1], theory, tolerance)
+    tolerance = Tolerance(5e-4, 1e-4, "what is left is of the order h^4, some hundredths of the errors above")
+    findings.check(f"|T| extrapolated by h^2, k/(wZ) = {ratio}", "1", limit, theory, tolerance)
     findings.plot(
         f"Displacement of the bar, k/(wZ) = {ratio}",
         "x (m)",

@@ -15,7 +15,7 @@ from geometry.cells.targets import target_sizes
 from geometry.polyhedra.measures import volumes
 from geometry.specimens.filling import fill_with_cells
 from masonry.model.draws import PROPERTIES, correlated, lognormal, standard_normals
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 
 MEAN, VARIATION, JOINTS, CELLS, MANY = 0.58e6, 0.25, 4000, 60, 400_000
 CORRELATION = 0.4
@@ -33,26 +33,20 @@ def of_draws(findings: Findings) -> None:
         ("mean square", "Pa2", weight @ value**2, MEAN**2 * (1 + VARIATION**2)),
         ("median", "Pa", lognormal(MEAN, VARIATION, np.zeros(1))[0], MEAN / np.sqrt(1 + VARIATION**2)),
     ):
-        findings.check(f"lognormal: {name}", unit, float(had), float(wanted), "closed form", 1e-12, 1e-14,
-                    "a quadrature that is exact here: rounding")  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "a quadrature that is exact here: rounding")
+        findings.check(f"lognormal: {name}", unit, had, wanted, tolerance)
     pairs = np.column_stack([np.arange(JOINTS), np.arange(JOINTS) + 1])
     normals = standard_normals(7, "unit_unit", pairs)
     count = np.sqrt(normals.size)
-    findings.at_most(
-        "draws: mean of the normals, over its standard error",
-        "1",
-        float(abs(normals.mean()) * count),
-        3.0,
-        "three standard errors",
-    )
-    findings.at_most("draws: mean square of the normals less 1, over its standard error", "1",
-                  float(abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0)), 3.0,
-                  "three standard errors")  # fmt: skip
+    value = abs(normals.mean()) * count
+    findings.at_most("draws: mean of the normals, over its standard error", "1", value, 3.0, "three standard errors")
+    quantity = "draws: mean square of the normals less 1, over its standard error"
+    findings.at_most(quantity, "1", abs((normals**2).mean() - 1.0) * count / np.sqrt(2.0), 3.0, "three standard errors")
     one, other = correlated(normals, PROPERTIES[:2], CORRELATION).values()
     had = np.corrcoef(one, other)[0, 1]
     error = (1.0 - CORRELATION**2) / np.sqrt(JOINTS)
-    findings.at_most("draws: correlation of two properties off what was asked for, over its standard error", "1",
-                  float(abs(had - CORRELATION) / error), 3.0, "three standard errors")  # fmt: skip
+    quantity = "draws: correlation of two properties off what was asked for, over its standard error"
+    findings.at_most(quantity, "1", abs(had - CORRELATION) / error, 3.0, "three standard errors")
 
 
 def of_cells(findings: Findings) -> None:
@@ -62,17 +56,17 @@ def of_cells(findings: Findings) -> None:
     for relative, sizes in ((SIZES, SIZES), (None, (1.0,) * 5)):
         volume = volumes(fill_with_cells(low, high, CellRequest(per_unit=5, sizes=relative), "units")[0])
         off.append(np.abs(volume * sum(sizes) / (whole * np.array(sizes)) - 1.0).max())
-    findings.check("given and equal sizes: volumes of the cells, largest relative error", "1", float(max(off)), 0.0,
-                "closed form", 1e-9, 1e-10, "Newton's method on the weights of the power diagram", 1.0)  # fmt: skip
+    tolerance = Tolerance(1e-9, 1e-10, "Newton's method on the weights of the power diagram")
+    quantity = "given and equal sizes: volumes of the cells, largest relative error"
+    findings.check(quantity, "1", max(off), 0.0, tolerance, scale=1.0)
     request = CellRequest(total=CELLS, spread=VARIATION)
     volume = volumes(fill_with_cells(low, high, request, "units")[0])
     wished = target_sizes(request, np.array([MANY]), np.array([whole]), np.random.default_rng(3))
     error = VARIATION * np.sqrt((1.0 + 2.0 * VARIATION**2) / (2.0 * MANY))
-    findings.check("spread sizes: sum", "m3", float(volume.sum()), whole, "closed form", 1e-12, 1e-14,
-                "cells fill the unit: rounding")  # fmt: skip
-    findings.at_most("spread sizes: coefficient of variation off what was asked for, over its standard error", "1",
-                  float(abs(wished.std() / wished.mean() - VARIATION) / error), 3.0,
-                  "three standard errors")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "cells fill the unit: rounding")
+    findings.check("spread sizes: sum", "m3", volume.sum(), whole, tolerance)
+    quantity = "spread sizes: coefficient of variation off what was asked for, over its standard error"
+    findings.at_most(quantity, "1", abs(wished.std() / wished.mean() - VARIATION) / error, 3.0, "three standard errors")
 
 
 def run() -> Findings:

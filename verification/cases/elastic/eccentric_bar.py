@@ -16,7 +16,7 @@ its depth. Past the elastic range the peak of the exponential joint is too high 
 
 import numpy as np
 
-from verification.case import Case, Check, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import InterfaceModel, model
@@ -74,23 +74,23 @@ def peak(cells: int, degree: int, rule: str | int) -> float:
 def run() -> Findings:
     """Elastic stiffness by both degrees and rules, and the peaks."""
     findings, exact = Findings(), 1.0 / compliance()
-    findings.check("stiffness, quadratic tets and Gauss points, 4 elements in depth", "1/J", stiffness(4, 2, 4), exact,
-                "closed form", 1e-12, 5e-14, "the displacement is in the elements' space: rounding")  # fmt: skip
+    tolerance = Tolerance(1e-12, 5e-14, "the displacement is in the elements' space: rounding")
+    value = stiffness(4, 2, 4)
+    findings.check("stiffness, quadratic tets and Gauss points, 4 elements in depth", "1/J", value, exact, tolerance)
     cells, lines = (4, 8, 16), []
     for name, rule in (("vertices", "vertex"), ("Gauss points", 4)):
         errors = np.array([stiffness(n, 1, rule) / exact - 1.0 for n in cells])
         lines.append(Line(f"linear tets, {name}", np.array([DEPTH / n for n in cells]) * 1e3, errors))
-        findings.check(f"order of the stiffness, linear tets and {name}, 8 to 16 elements", "1",
-                    float(np.log2(errors[1] / errors[2])), 2.0, "closed form", 0.1, 0.03,
-                    "an energy converges with h^2, from below while elements are few")  # fmt: skip
+        tolerance = Tolerance(0.1, 0.03, "an energy converges with h^2, from below while elements are few")
+        value = np.log2(errors[1] / errors[2])
+        findings.check(f"order of the stiffness, linear tets and {name}, 8 to 16 elements", "1", value, 2.0, tolerance)
     findings.plot("Error of the elastic stiffness", "h (mm)", "relative error", *lines, log=True)
     truth = peak(8, 2, 4)
     lumped = [peak(n, 1, "vertex") for n in (8, 16)]
-    findings.checks += [
-        Check(f"peak, linear tets and vertices, {n} elements in depth", "1", value, truth, "refined model",
-              tolerance, expected, "the stiffness is 1.8 % (0.5 %) high there, and the peak feels most of it")
-        for n, value, expected, tolerance in ((8, lumped[0], 1.5e-2, 3e-2), (16, lumped[1], 3e-3, 6e-3))
-    ]  # fmt: skip
+    reason = "the stiffness is 1.8 % (0.5 %) high there, and the peak feels most of it"
+    for n, factor, expected, limit in ((8, lumped[0], 1.5e-2, 3e-2), (16, lumped[1], 3e-3, 6e-3)):
+        quantity = f"peak, linear tets and vertices, {n} elements in depth"
+        findings.check(quantity, "1", factor, truth, Tolerance(limit, expected, reason, "refined model"))
     findings.remarks.append(f"peak factors: quadratic {truth:.6g}, vertices {lumped[0]:.6g} (8), {lumped[1]:.6g} (16)")
     return findings
 

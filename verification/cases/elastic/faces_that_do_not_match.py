@@ -14,7 +14,7 @@ their cells 2:3 in size, against the same with faces that match.
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.scene_text import made_of_tets
 from verification.fixtures.scene_text import run as run_text
 from verification.fixtures.structured import row_of_boxes
@@ -49,9 +49,11 @@ def patch(findings: Findings) -> None:
     exact[:, 0] += box * STRESS / NORMAL
     moved = result.history.frames[-1].nodes
     worst = int(np.argmax(np.abs(moved - exact).max(axis=1)))
-    findings.check("displacement, the worst node", "m", float(np.abs(moved - exact)[worst].max()), 0.0, "closed form",
-                1e-12, 1e-14, "exact in principle: what is left is how far the run has come to rest, and rounding",
-                float(np.abs(exact).max()))  # fmt: skip
+    tolerance = Tolerance(
+        1e-12, 1e-14, "exact in principle: what is left is how far the run has come to rest, and rounding"
+    )
+    value = np.abs(moved - exact)[worst].max()
+    findings.check("displacement, the worst node", "m", value, 0.0, tolerance, scale=np.abs(exact).max())
 
 
 def beam(cells: int, other: int) -> tuple[float, Result]:
@@ -75,12 +77,18 @@ def run() -> Findings:
             sequence.append(value)
     limits = [sequence[-1] + (sequence[-1] - sequence[-2]) / 3 for sequence in (values, matching)]
     errors = [np.abs(np.array(sequence) / limits[1] - 1) for sequence in (values, matching)]
-    findings.check("order of the error in h", "1", float(np.log2(errors[0][-2] / errors[0][-1])), 2.0, "converged run",
-                0.05, 0.02, "8:12 and 16:24 cells over the height against the limit of faces that match; tets of "
-                "constant strain are of second order, and points in the common refinement take nothing "
-                "from it")  # fmt: skip
-    findings.check("deflection extrapolated by h^2", "m", limits[0], limits[1], "converged run", 5e-4, 1e-4,
-                "faces that match tend to the same; the difference is of the order h^4")  # fmt: skip
+    tolerance = Tolerance(
+        0.05,
+        0.02,
+        "8:12 and 16:24 cells over the height against the limit of faces that match; tets of constant strain are of "
+        "second order, and points in the common refinement take nothing from it",
+        "converged run",
+    )
+    findings.check("order of the error in h", "1", np.log2(errors[0][-2] / errors[0][-1]), 2.0, tolerance)
+    tolerance = Tolerance(
+        5e-4, 1e-4, "faces that match tend to the same; the difference is of the order h^4", "converged run"
+    )
+    findings.check("deflection extrapolated by h^2", "m", limits[0], limits[1], tolerance)
     cells = np.array(COUNTS, dtype=float)
     findings.plot(
         "Error of the deflection of two blocks",

@@ -16,7 +16,7 @@ the edge, none from three on; two of them are the ends alone (n = 1).
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import model
@@ -54,36 +54,13 @@ def run() -> Findings:
     for n in CELLS:
         identity = EXACT * (1 + 2 / n**2)
         at_edges = identity if n == 1 else EXACT
-        findings.check(
-            f"bending stiffness, {n + 1} points at vertices",
-            "N m/rad",
-            stiffness(findings, "vertex", n + 1),
-            at_edges,
-            "closed form",
-            1e-12,
-            1e-13,
-            "three times by two points, exact by more: rounding, once all is at rest",
-        )
-        findings.check(
-            f"bending stiffness, facets of tets, {n} cells",
-            "N m/rad",
-            of_facets(n),
-            identity,
-            "closed form",
-            1e-12,
-            1e-14,
-            "an identity: rounding",
-        )
-    findings.check(
-        "bending stiffness, 2 Gauss points",
-        "N m/rad",
-        stiffness(findings, "gauss", 2),
-        EXACT,
-        "closed form",
-        1e-12,
-        1e-13,
-        "two Gauss points are exact to the third power: rounding",
-    )
+        tolerance = Tolerance(1e-12, 1e-13, "three times by two points, exact by more: rounding, once all is at rest")
+        value = stiffness(findings, "vertex", n + 1)
+        findings.check(f"bending stiffness, {n + 1} points at vertices", "N m/rad", value, at_edges, tolerance)
+        tolerance = Tolerance(1e-12, 1e-14, "an identity: rounding")
+        findings.check(f"bending stiffness, facets of tets, {n} cells", "N m/rad", of_facets(n), identity, tolerance)
+    tolerance = Tolerance(1e-12, 1e-13, "two Gauss points are exact to the third power: rounding")
+    findings.check("bending stiffness, 2 Gauss points", "N m/rad", stiffness(findings, "gauss", 2), EXACT, tolerance)
     return findings
 
 

@@ -25,7 +25,7 @@ from masonry.laboratory import laboratory
 from masonry.model.layout import Layout
 from masonry.model.loads import Conditions
 from masonry.timeloop import timeloop
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks.other_conditions import rebuilt
 from verification.fixtures.scene_text import assembled, made_of_tets
 from verification.references.interface.envelopes import Law
@@ -155,12 +155,11 @@ def run() -> Findings:
     why = "the field is in the space of both elements, and both rules integrate it: rounding"
     for name, degree, rule in (("linear, vertices", 1, "vertex"), ("linear, Gauss", 1, 4), ("quadratic, Gauss", 2, 4)):
         value = implicit(mesh, degree, rule)
-        findings.check(
-            f"interface model, {name}: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14, why, size
-        )
+        tolerance = Tolerance(1e-12, 1e-14, why)
+        findings.check(f"interface model, {name}: largest error", "m", value, 0.0, tolerance, scale=size)
     value = explicit(findings, specimen, mesh)
-    findings.check("run, points at nodes: largest error", "m", value, 0.0, "closed form", 1e-12, 1e-14,
-                "as above, and how far the run comes to rest", size)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "as above, and how far the run comes to rest")
+    findings.check("run, points at nodes: largest error", "m", value, 0.0, tolerance, scale=size)
     wrong = implicit(mesh, 2, "vertex") / size
     findings.remarks.append(f"quadratic tets with points at the corners, which fail by rule: error {wrong:.2%}")
     return findings

@@ -9,7 +9,7 @@ that opens takes G for each unit of its area (linear law: the whole area under i
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.scene_text import run as run_text
 from verification.scene_runs import result_of
 
@@ -64,13 +64,18 @@ def beams(findings: Findings) -> None:
         result = findings.note(f"{n} joints", run_text(beam(n)))
         end = np.abs(result.specimen.blocks.points[:, 0] - LENGTH) < 1e-9
         tips.append(float(result.history.frames[-1].corners[end, 2].mean()))
-        findings.check(f"deflection of a bar of {n} joints", "m", tips[-1], bent * (1 - 0.25 / n**2) + sheared,
-                    "closed form", 1e-12, 1e-14, "the sum is exact for rigid blocks; what is left is how far the run "
-                    "has come to rest")  # fmt: skip
+        tolerance = Tolerance(
+            1e-12, 1e-14, "the sum is exact for rigid blocks; what is left is how far the run has come to rest"
+        )
+        quantity = f"deflection of a bar of {n} joints"
+        findings.check(quantity, "m", tips[-1], bent * (1 - 0.25 / n**2) + sheared, tolerance)
     errors = np.abs(np.array(tips) / (bent + sheared) - 1)
-    findings.check("order of the error in h", "1", float(np.log2(errors[-2] / errors[-1])), 2.0, "closed form", 1e-11,
-                1e-12, "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error "
-                "= 1000")  # fmt: skip
+    tolerance = Tolerance(
+        1e-11,
+        1e-12,
+        "the midpoint rule of x^2 is in error by exactly 1/(4 n^2); rounding is multiplied by 1/error = 1000",
+    )
+    findings.check("order of the error in h", "1", np.log2(errors[-2] / errors[-1]), 2.0, tolerance)
     joints = np.array(JOINTS, dtype=float)
     findings.plot(
         "Error of the deflection",
@@ -87,9 +92,11 @@ def tears(findings: Findings) -> None:
     for n in DIVISIONS:
         result = findings.note(f"{n} x {n} blocks a unit", result_of(TEAR, {"specimen.divisions": [n, n, 1]}))
         dissipated = float(result.summary["energy_j"]["fracture_mode_1"]) / float(result.summary["section_m2"])
-        findings.check(f"energy of the open joint per area, {n} x {n} blocks a unit", "N/m", dissipated, ENERGY,
-                    "closed form", 1e-12, 1e-14, "the law books the area under its curve between two openings "
-                    "exactly, however far apart")  # fmt: skip
+        tolerance = Tolerance(
+            1e-12, 1e-14, "the law books the area under its curve between two openings exactly, however far apart"
+        )
+        quantity = f"energy of the open joint per area, {n} x {n} blocks a unit"
+        findings.check(quantity, "N/m", dissipated, ENERGY, tolerance)
 
 
 def run() -> Findings:

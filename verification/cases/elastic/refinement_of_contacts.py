@@ -15,7 +15,7 @@ leaves an error between the first and the second order in 1/n.
 import numpy as np
 from scipy.optimize import brentq
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.closed_forms import Floats, Joint, tension
 from verification.scene_runs import result_of
 
@@ -65,13 +65,17 @@ def run() -> Findings:
     }
     peaks = np.array([r.summary["peak_stress_pa"] for r in runs.values()]) * BREADTH * DEPTH
     works = np.array([r.history.rows["contact_work"][-1] for r in runs.values()])
-    findings.check("peak force, 32 points", "N", float(peaks[-1]), peak, "refined model", 3e-3, 1e-3,
-                "the kink of the law at its peak passes over the points one by one: 7, 3, 0.9, 0.3 and 0.1 % from 2 "
-                "to 32")  # fmt: skip
-    findings.check("peak force, 32 points over 16", "1", float(peaks[-1] / peaks[-2]), 1.0, "converged run", 1e-2, 2e-3,
-                "the catalogue allows 2 % between the last two")  # fmt: skip
-    findings.check("work of the joint, 32 points", "J", float(works[-1]), work, "refined model", 1e-3, 1e-4,
-                "ups and downs of points that pass the peak cancel in the work")  # fmt: skip
+    tolerance = Tolerance(
+        3e-3,
+        1e-3,
+        "the kink of the law at its peak passes over the points one by one: 7, 3, 0.9, 0.3 and 0.1 % from 2 to 32",
+        "refined model",
+    )
+    findings.check("peak force, 32 points", "N", peaks[-1], peak, tolerance)
+    tolerance = Tolerance(1e-2, 2e-3, "the catalogue allows 2 % between the last two", "converged run")
+    findings.check("peak force, 32 points over 16", "1", peaks[-1] / peaks[-2], 1.0, tolerance)
+    tolerance = Tolerance(1e-3, 1e-4, "ups and downs of points that pass the peak cancel in the work", "refined model")
+    findings.check("work of the joint, 32 points", "J", works[-1], work, tolerance)
     errors = ", ".join(f"{n}: {e:.2%}" for n, e in zip(COUNTS, peaks / peak - 1, strict=True))
     findings.remarks.append(f"error of the peak by points along the joint: {errors}")
     lines = [

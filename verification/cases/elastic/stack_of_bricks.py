@@ -14,7 +14,7 @@ measures two courses from middle to middle. Poisson's ratio is 0, so that the he
 from typing import Any
 
 from masonry import contact
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import load, result_of
 
 SCENE = "stack-of-bricks"
@@ -36,26 +36,12 @@ def run() -> Findings:
         table = contact(scene, law="elastic", poisson=0, joint="10 mm", unit_modulus="10 GPa", mortar_modulus="1.5 GPa")
         result = findings.note(words, result_of(SCENE, {**model, **table}))
         shortening = result.summary["gauges"]["shortening"]["final_m"]
-        findings.check(
-            f"modulus, {words}",
-            "Pa",
-            PRESSURE * 2.0 * (HEIGHT + JOINT) / shortening,
-            MODULUS,
-            "closed form",
-            5e-6,
-            1e-6,
-            "stiffnesses are written with six digits, which leaves half of one in the last",
+        tolerance = Tolerance(
+            5e-6, 1e-6, "stiffnesses are written with six digits, which leaves half of one in the last"
         )
-        findings.check(
-            f"modulus that the table foretells, {words}",
-            "Pa",
-            table.modulus,
-            MODULUS,
-            "closed form",
-            1e-14,
-            1e-15,
-            "the same springs in a row: rounding",
-        )
+        findings.check(f"modulus, {words}", "Pa", PRESSURE * 2.0 * (HEIGHT + JOINT) / shortening, MODULUS, tolerance)
+        tolerance = Tolerance(1e-14, 1e-15, "the same springs in a row: rounding")
+        findings.check(f"modulus that the table foretells, {words}", "Pa", table.modulus, MODULUS, tolerance)
     return findings
 
 

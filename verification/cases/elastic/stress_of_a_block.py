@@ -18,7 +18,7 @@ from masonry.monitors.observer import View
 from masonry.monitors.openings import Openings
 from masonry.monitors.stability import Watch
 from masonry.results.vtkhdf import TO_VTK
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks.free_motion import glued
 from verification.fixtures import models, shapes
 
@@ -29,7 +29,7 @@ GRADIENT = 1e-5 * np.array([[3.0, 0.7, -1.1], [0.2, -2.0, 0.5], [1.9, -0.4, 1.3]
 STRESS = 1e6 * np.array([[-0.9, 0.1, 0.25], [0.1, 0.4, -0.15], [0.25, -0.15, 0.7]])
 GLUE = glued(2e11, 8e10)
 SIZE = np.array([0.2, 0.1, 0.08])
-ROUNDING = "sums of some products: rounding"
+ROUNDING = Tolerance(1e-12, 1e-14, "sums of some products: rounding")
 
 
 def of_strains(findings: Findings) -> None:
@@ -53,17 +53,8 @@ def corners(findings: Findings, kind: str, model: Model, gradient: np.ndarray) -
     """Displacement of all corners of blocks whose points x move by gradient @ x."""
     place = model.blocks.points
     off = np.abs(Frames(model).corners() - place @ gradient.T).max()
-    findings.check(
-        f"{kind}: displacement of the corners, largest deviation",
-        "m",
-        float(off),
-        0.0,
-        "closed form",
-        1e-12,
-        1e-14,
-        ROUNDING,
-        float(np.abs(place @ gradient.T).max()),
-    )
+    quantity = f"{kind}: displacement of the corners, largest deviation"
+    findings.check(quantity, "m", off, 0.0, ROUNDING, scale=np.abs(place @ gradient.T).max())
 
 
 def turned(findings: Findings, kind: str, model: Model, gradient: np.ndarray) -> None:
@@ -71,7 +62,7 @@ def turned(findings: Findings, kind: str, model: Model, gradient: np.ndarray) ->
     watch = Watch(model, 1.0)
     watch.check(1)
     wanted = float(np.abs(0.5 * (gradient - gradient.T)).max())
-    findings.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, "closed form", 1e-12, 1e-14, ROUNDING)
+    findings.check(f"{kind}: largest rotation", "rad", watch.rotation, wanted, ROUNDING)
 
 
 def of_contacts(findings: Findings) -> None:
@@ -91,11 +82,9 @@ def of_contacts(findings: Findings) -> None:
 
 def compare(findings: Findings, kind: str, had: np.ndarray, wanted: np.ndarray) -> None:
     """Six components, each relative to the largest."""
-    findings.checks += [
-        Check(f"{kind}: stress {name}", "Pa", float(had[k]), float(wanted[i, j]), "closed form", 1e-12, 1e-14, ROUNDING,
-              float(np.abs(wanted).max()))
-        for k, (name, (i, j)) in enumerate(zip(NAMES, COMPONENTS, strict=True))
-    ]  # fmt: skip
+    scale = np.abs(wanted).max()
+    for k, (name, (i, j)) in enumerate(zip(NAMES, COMPONENTS, strict=True)):
+        findings.check(f"{kind}: stress {name}", "Pa", had[k], wanted[i, j], ROUNDING, scale=scale)
 
 
 def overlapping(findings: Findings) -> None:
@@ -103,16 +92,16 @@ def overlapping(findings: Findings) -> None:
     model = models.make(shapes.setup(shapes.stack([0.05, 0.1]), ["rigid"] * 2), GLUE)
     seen = energy.Seen(np.full(4, -1e-6), *np.zeros((3, 4)))
     overlap = Openings(model).look(model, View(seen), 0)["overlap"]
-    findings.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, "closed form", 1e-12,
-                1e-15, ROUNDING)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-15, ROUNDING.reason)
+    findings.check("closure of a joint over the thinner block", "1", overlap, 1e-6 / 0.05, tolerance)
 
 
 def in_order(findings: Findings) -> None:
     """Where the file for ParaView has each component."""
     had = [NAMES[k] for k in TO_VTK]
-    findings.check("components that stand where ParaView looks for them", "1",
-                sum(a == b for a, b in zip(had, IN_PARAVIEW, strict=True)), 6.0, "closed form", 1e-14, 0.0,
-                "names: exact")  # fmt: skip
+    tolerance = Tolerance(1e-14, 0.0, "names: exact")
+    value = sum(a == b for a, b in zip(had, IN_PARAVIEW, strict=True))
+    findings.check("components that stand where ParaView looks for them", "1", value, 6.0, tolerance)
 
 
 def run() -> Findings:

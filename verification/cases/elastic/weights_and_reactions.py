@@ -20,7 +20,7 @@ from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
 from masonry.monitors.settling import unbalanced
 from verification import balance
-from verification.case import Case, Check, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.checks.free_motion import glued
 from verification.fixtures import models, shapes
 
@@ -32,7 +32,7 @@ AREA = SIDES[0] * SIDES[1]
 TRACTION = np.array([1e3, -5e2, -2e4])
 WEIGHTS = STONE.density * AREA * np.outer(HEIGHTS[1:], GRAVITY)
 STEPS = 6000
-STATICS = "statics: rounding, and how far all has come to rest"
+STATICS = Tolerance(1e-12, 1e-13, "statics: rounding, and how far all has come to rest")
 
 
 def column(kind: str, load_factor: np.ndarray) -> Model:
@@ -60,31 +60,27 @@ def oblique(findings: Findings, kind: str) -> None:
     model = column(kind, np.ones(3))
     before = energy.velocities(model)
     models.march(model, 1)
-    findings.check(f"{kind}: unbalanced force over the loads, in the first step", "1", unbalanced(model, before),
-                1.0, "closed form", 1e-12, 1e-14, "no contact answers yet: rounding")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "no contact answers yet: rounding")
+    value = unbalanced(model, before)
+    findings.check(f"{kind}: unbalanced force over the loads, in the first step", "1", value, 1.0, tolerance)
     terms = at_rest(findings, f"{kind}, oblique", model)
     for upper in (1, 2):
         below = model.joints.block_b == upper
         had = -model.contacts.force[below].sum(axis=0)
         wanted = -(TRACTION * AREA + WEIGHTS[upper - 1 :].sum(axis=0))
-        findings.checks += [
-            Check(f"{kind}: reaction below block {upper} along {axis}", "N", float(value), float(reference),
-                  "closed form", 1e-12, 1e-13, STATICS)
-            for axis, value, reference in zip("xyz", had, wanted, strict=True)
-        ]  # fmt: skip
+        for axis, value, reference in zip("xyz", had, wanted, strict=True):
+            findings.check(f"{kind}: reaction below block {upper} along {axis}", "N", value, reference, STATICS)
         foot = np.array([0.5 * SIDES[0], 0.5 * SIDES[1], sum(HEIGHTS[:upper])])
         turning = np.cross(model.joints.point[below] - foot, -model.contacts.force[below]).sum(axis=0)
         places = [(sum(HEIGHTS[: b + 1]) - 0.5 * HEIGHTS[b], WEIGHTS[b - 1]) for b in range(upper, 3)]
         places.append((sum(HEIGHTS), TRACTION * AREA))
         upset = -np.sum([np.cross([0.0, 0.0, level - foot[2]], force) for level, force in places], axis=0)
-        findings.checks += [
-            Check(f"{kind}: moment of the reaction below block {upper} about {axis}", "N m", float(turning[k]),
-                  float(upset[k]), "closed form", 1e-12, 1e-13, STATICS)
-            for k, axis in enumerate("xy")
-        ]  # fmt: skip
+        for k, axis in enumerate("xy"):
+            quantity = f"{kind}: moment of the reaction below block {upper} about {axis}"
+            findings.check(quantity, "N m", turning[k], upset[k], STATICS)
     stored = terms["elastic_blocks"] + terms["elastic_contacts"]
-    findings.check(f"{kind}: work of the loads, twice what is stored", "J", terms["external_work"], 2.0 * stored,
-                "closed form", 1e-12, 1e-13, STATICS)  # fmt: skip
+    quantity = f"{kind}: work of the loads, twice what is stored"
+    findings.check(quantity, "J", terms["external_work"], 2.0 * stored, STATICS)
 
 
 def upright(findings: Findings, kind: str) -> None:
@@ -100,10 +96,8 @@ def upright(findings: Findings, kind: str) -> None:
     moved = models.displacements(model)[0][:, 2]
     pairs = (("settling of block 1", "m", moved[1], low), ("settling of block 2", "m", moved[2], high),
              ("work of the loads", "J", terms["external_work"], work))  # fmt: skip
-    findings.checks += [
-        Check(f"{kind}: {name}", unit, float(value), float(reference), "closed form", 1e-12, 1e-13, STATICS)
-        for name, unit, value, reference in pairs
-    ]
+    for name, unit, value, reference in pairs:
+        findings.check(f"{kind}: {name}", unit, value, reference, STATICS)
 
 
 def run() -> Findings:

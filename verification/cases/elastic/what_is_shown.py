@@ -15,13 +15,13 @@ import numpy as np
 
 from masonry.pictures.camera import front_view
 from masonry.pictures.crack_lines import crack_lines
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.cases.friction import triplet
 from verification.references.closed_forms import Joint, shear
 from verification.scene_runs import result_of
 
 KN, PULLS = 150e9, (20e-6, 30e-6)
-ROUNDING = "sums of some products: rounding"
+ROUNDING = Tolerance(1e-13, 1e-15, "sums of some products: rounding")
 
 
 def of_a_frame(findings: Findings) -> None:
@@ -45,24 +45,14 @@ def of_a_frame(findings: Findings) -> None:
     )
     for name, unit, values, wanted, scale in pairs:
         worst = values[int(np.argmax(np.abs(values - wanted)))]
-        findings.check(
-            f"frame: {name}, where it is furthest off",
-            unit,
-            float(worst),
-            float(wanted),
-            "closed form",
-            1e-12,
-            4e-13,
-            "what the settled compression still swings by, and rounding",
-            scale,
-        )
+        tolerance = Tolerance(1e-12, 4e-13, "what the settled compression still swings by, and rounding")
+        findings.check(f"frame: {name}, where it is furthest off", unit, worst, wanted, tolerance, scale=scale)
     view = front_view(blocks.points)
     for words, opening, width in (("open", 3e-6, 5e-6), ("pressed", -3e-6, 4e-6)):
         apart = replace(frame, opening=np.full(len(upwards), opening), slip=np.full(len(upwards), 4e-6))
         shown = crack_lines(joints, apart, view).opening
-        findings.check(f"width of a crack, {words}, where it is furthest off", "m",
-                    float(shown[int(np.argmax(np.abs(shown - width)))]), width, "closed form", 1e-13,
-                    1e-15, ROUNDING)  # fmt: skip
+        value = shown[int(np.argmax(np.abs(shown - width)))]
+        findings.check(f"width of a crack, {words}, where it is furthest off", "m", value, width, ROUNDING)
 
 
 def of_a_summary(findings: Findings) -> None:
@@ -74,14 +64,15 @@ def of_a_summary(findings: Findings) -> None:
         few = {"drive.displacement": f"{slip!r} m", "drive.steps": 4000, "solver.rows": 20}
         summary = findings.note(f"triplet, damage {damage:g}", result_of(triplet.SCENE, few)).summary
         for name, wanted in (("broken", broken), ("damaged", damaged)):
-            findings.check(f"{name} area at a damage of {damage:g}", "m2", sum(summary[f"{name}_area_m2"].values()),
-                        wanted, "closed form", 1e-13, 1e-15, "a sum of areas: rounding", both)  # fmt: skip
+            tolerance = Tolerance(1e-13, 1e-15, "a sum of areas: rounding")
+            value = sum(summary[f"{name}_area_m2"].values())
+            findings.check(f"{name} area at a damage of {damage:g}", "m2", value, wanted, tolerance, scale=both)
 
 
 def of_cycles(findings: Findings) -> None:
     """An elastic joint pulled twice and let go: widest opening, greatest stress, farthest place, nothing spent."""
     cycles = findings.note("two cycles", result_of("joint-pulled-twice")).summary["cycles"]
-    findings.check("cycles", "1", len(cycles), len(PULLS), "closed form", 1e-14, 0.0, "a count: exact")
+    findings.check("cycles", "1", len(cycles), len(PULLS), Tolerance(1e-14, 0.0, "a count: exact"))
     for number, (cycle, pull) in enumerate(zip(cycles, PULLS, strict=False), start=1):
         for key, unit, wanted, scale in (
             ("widest_opening_m", "m", pull, pull),
@@ -90,8 +81,8 @@ def of_cycles(findings: Findings) -> None:
             ("stiffness_pa_per_m", "Pa/m", KN, KN),
             ("dissipated_j", "J", 0.0, 1e-3),
         ):
-            findings.check(f"cycle {number}: {key}", unit, cycle[key], wanted, "closed form", 1e-12, 1e-14,
-                        "the drive turns at a step, and a row is taken there: rounding", scale)  # fmt: skip
+            tolerance = Tolerance(1e-12, 1e-14, "the drive turns at a step, and a row is taken there: rounding")
+            findings.check(f"cycle {number}: {key}", unit, cycle[key], wanted, tolerance, scale=scale)
 
 
 def run() -> Findings:

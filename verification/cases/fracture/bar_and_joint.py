@@ -19,7 +19,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks import increments
 from verification.references.closed_forms import Joint, tension
 from verification.references.interface.envelopes import Law
@@ -66,11 +66,11 @@ def implicit(findings: Findings, law: str, length: float) -> None:
         ("U", moved, OPENINGS + exact * length / YOUNG, "m"),
     ):
         k = int(np.argmax(np.abs(value - reference)))
-        findings.check(f"{name}: {what} where it is worst", unit, float(value[k]), float(reference[k]), "closed form",
-                    1e-12, 1e-13, "Newton's residual of 1e-12 of the force, and rounding",
-                    scale=float(reference.max()))  # fmt: skip
-    findings.check(f"{name}: snaps back as L_c says (1 yes, 0 no)", "1", float(back), float(length > CRITICAL[law]),
-                "closed form", 0.0, 0.0, "yes or no", scale=1.0)  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-13, "Newton's residual of 1e-12 of the force, and rounding")
+        quantity = f"{name}: {what} where it is worst"
+        findings.check(quantity, unit, value[k], reference[k], tolerance, scale=reference.max())
+    quantity = f"{name}: snaps back as L_c says (1 yes, 0 no)"
+    findings.check(quantity, "1", back, length > CRITICAL[law], Tolerance(0.0, 0.0, "yes or no"), scale=1.0)
     if law == "exponential":
         line = Line(f"interface model, L = {length:g} m", moved * 1e6, stress / 1e6, "dashed")
         findings.plot(f"Bar of {length:g} m, exponential law", "U (um)", "stress (MPa)", line)
@@ -105,10 +105,9 @@ def below(findings: Findings) -> None:
     stress, _ = drawn(findings, SHORT, places)
     exact = np.where(places < top, JOINT.fT * places / top, torn(places, SHORT))
     k = int(np.argmax(np.abs(stress - exact)))
-    findings.check("run of a bar below L_c: stress where it is worst", "Pa", float(stress[k]), float(exact[k]),
-                "closed form", 3e-6, 5e-7,
-                "smooth increments and waits: what a swing unloads is reloaded on the secant",
-                scale=JOINT.fT)  # fmt: skip
+    tolerance = Tolerance(3e-6, 5e-7, "smooth increments and waits: what a swing unloads is reloaded on the secant")
+    quantity = "run of a bar below L_c: stress where it is worst"
+    findings.check(quantity, "Pa", stress[k], exact[k], tolerance, scale=JOINT.fT)
 
 
 def above(findings: Findings) -> None:
@@ -117,16 +116,20 @@ def above(findings: Findings) -> None:
     step = 1e-3 * top
     places = np.concatenate([top * np.linspace(0.1, 0.9, 9), [top - step, top + step], top * np.linspace(1.1, 2.5, 15)])
     stress, work = drawn(findings, LONG, places)
-    findings.check("run of a bar above L_c: stress just before the peak", "Pa", float(stress[9]),
-                JOINT.fT * (1.0 - step / top), "closed form", 1e-8, 1e-9, "elastic, and at rest",
-                scale=JOINT.fT)  # fmt: skip
-    findings.check("run of a bar above L_c: work up to the fall", "J/m2", float(work[10]), 0.5 * JOINT.fT * top,
-                "closed form", 3e-3, 1.5e-3,
-                "an increment of 2e-3 of U while the bar falls, and the drag of damping on the way up")  # fmt: skip
-    findings.check("run of a bar above L_c: stress on the other branch at 2.5 U_peak", "Pa", float(stress[-1]),
-                float(torn(places[-1:], LONG)[0]), "closed form", 1e-6, 1e-7,
-                "the swing after the fall opened the joint farther than rest does; at 2.5 U_peak that is passed",
-                scale=JOINT.fT)  # fmt: skip
+    tolerance = Tolerance(1e-8, 1e-9, "elastic, and at rest")
+    reference = JOINT.fT * (1.0 - step / top)
+    findings.check(
+        "run of a bar above L_c: stress just before the peak", "Pa", stress[9], reference, tolerance, scale=JOINT.fT
+    )
+    tolerance = Tolerance(
+        3e-3, 1.5e-3, "an increment of 2e-3 of U while the bar falls, and the drag of damping on the way up"
+    )
+    findings.check("run of a bar above L_c: work up to the fall", "J/m2", work[10], 0.5 * JOINT.fT * top, tolerance)
+    tolerance = Tolerance(
+        1e-6, 1e-7, "the swing after the fall opened the joint farther than rest does; at 2.5 U_peak that is passed"
+    )
+    quantity = "run of a bar above L_c: stress on the other branch at 2.5 U_peak"
+    findings.check(quantity, "Pa", stress[-1], torn(places[-1:], LONG)[0], tolerance, scale=JOINT.fT)
 
 
 def run() -> Findings:

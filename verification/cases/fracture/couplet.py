@@ -17,7 +17,7 @@ Reference: eqs (8), (13), (15), (17) of the paper.
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
 from verification.scene_runs import result_of
@@ -33,7 +33,7 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     joint, s = Joint(beta=BETA[mpa]), 1e6 * mpa
     keys = {"law": law, "confinement": f"{mpa} MPa", "drive.steps": STEPS, "solver.rows": 600}
     result = findings.note(words, result_of("couplet", keys))
-    rows, kind = result.history.rows, "closed form"
+    rows = result.history.rows
     moved = rows["displacement"] > 0.0
     slip, stress = rows["displacement"][moved], rows["stress"][moved]
     wanted, peak = shear(law, joint, slip, s), joint.c0 + s * joint.tan0
@@ -41,14 +41,16 @@ def sheared(findings: Findings, law: str, mpa: float) -> tuple[Line, Line]:
     dissipated_energy = dissipated(result.summary)
     gone = AREA * float(dissipated_in_shear(law, joint, slip[-1], s))
     rough *= AREA / gone
-    findings.check(f"peak, {words}", "Pa", result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
-                   "the step that misses the peak, at most du k_s q/(k_s + q)")  # fmt: skip
-    findings.check(f"curve, {words}, largest deviation", "Pa", float(np.abs(stress - wanted).max()), 0.0, kind, 1e-12,
-                   1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
-    findings.check(f"residual, {words}", "Pa", float(stress[-1]), float(wanted[-1]), kind, 1e-12, 1e-13,
-                   "what the settled confinement still swings by, and rounding")  # fmt: skip
-    findings.check(f"dissipated, {words}", "J", dissipated_energy, gone, kind, 3 * rough, rough,
-                   "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
+    tolerance = Tolerance(missed, 0.5 * missed, "the step that misses the peak, at most du k_s q/(k_s + q)")
+    findings.check(f"peak, {words}", "Pa", result.summary["peak_stress_pa"], peak, tolerance)
+    tolerance = Tolerance(1e-12, 1e-13, "what the settled confinement still swings by, and rounding")
+    value = np.abs(stress - wanted).max()
+    findings.check(f"curve, {words}, largest deviation", "Pa", value, 0.0, tolerance, scale=peak)
+    findings.check(f"residual, {words}", "Pa", stress[-1], wanted[-1], tolerance)
+    tolerance = Tolerance(
+        3 * rough, rough, "the trapezoid: of the envelope, and of the corner at the peak that no step hits"
+    )
+    findings.check(f"dissipated, {words}", "J", dissipated_energy, gone, tolerance)
     some = slice(None, None, 20)
     return (
         Line(words, 1e3 * slip, 1e-6 * stress),

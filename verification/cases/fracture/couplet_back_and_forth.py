@@ -12,16 +12,16 @@ So mode II takes no more than the area above the residual. Amplitudes 0.1, 0.2 a
 Reference: by hand from eqs (8) and (17) of the paper (verification/references/cyclic_forms.py).
 """
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.sheared_in_cycles import cycled
 
-ROUNDING = "a rigid unit is where the drive puts it, and the law sees every turn: rounding"
+ROUNDING = Tolerance(1e-12, 1e-14, "a rigid unit is where the drive puts it, and the law sees every turn: rounding")
 
 
 def run() -> Findings:
     """The scene as shipped."""
     findings = Findings()
-    cycled(findings, "exponential", "displacement", (1e-12, 1e-14, ROUNDING))
+    cycled(findings, "exponential", "displacement", ROUNDING)
     return findings
 
 

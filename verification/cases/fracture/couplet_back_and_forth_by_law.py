@@ -6,7 +6,7 @@
 Reference: by hand from eqs (8), (13), (15), (17) of the paper (verification/references/cyclic_forms.py).
 """
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.cases.fracture.couplet_back_and_forth import ROUNDING
 from verification.fixtures.sheared_in_cycles import cycled
 
@@ -15,10 +15,10 @@ def run() -> Findings:
     """Two laws by displacement, one by plastic slip."""
     findings = Findings()
     for law in ("linear", "polynomial"):
-        cycled(findings, law, "displacement", (1e-12, 1e-14, ROUNDING))
+        cycled(findings, law, "displacement", ROUNDING)
     curve = "the plastic slip of a step is found by secants: what they leave"
     energy = "booked by the trapezoid: second order in steps of up to 1 um"
-    cycled(findings, "exponential", "plastic", (1e-10, 1e-11, curve), (1e-6, 1e-7, energy))
+    cycled(findings, "exponential", "plastic", Tolerance(1e-10, 1e-11, curve), Tolerance(1e-6, 1e-7, energy))
     return findings
 
 

@@ -29,7 +29,7 @@ from geometry.polyhedra.construct import from_boxes
 from masonry.laboratory import laboratory
 from masonry.loading.programs import program
 from masonry.timeloop import timeloop
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.checks.other_conditions import turned
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
@@ -117,24 +117,31 @@ def run() -> Findings:
     findings = Findings()
     fine = implicit(8, 2)
     curves = {f"interface model, quadratic tets, {8} layers": fine}
-    findings.check("plateau of quadratic tets, 8 layers", "N m", plateau(fine), MOMENT, "closed form", 5e-4, 1e-4,
-                "a process zone of 13 elements: "
-                "the moment swings by 3e-4 as the crack passes them, its mean by less")  # fmt: skip
+    tolerance = Tolerance(
+        5e-4,
+        1e-4,
+        "a process zone of 13 elements: the moment swings by 3e-4 as the crack passes them, its mean by less",
+    )
+    findings.check("plateau of quadratic tets, 8 layers", "N m", plateau(fine), MOMENT, tolerance)
     excess = []
     for layers, band in zip(LAYERS, (0.072, 0.019), strict=True):
         same, ran = implicit(layers, 1), explicit(findings, layers)
         curves |= {f"interface model, {layers} layers": same, f"run, {layers} layers": ran}
         excess.append(plateau(ran) / MOMENT - 1.0)
-        findings.check(f"plateau of a run against linear tets of the interface model, {layers} layers", "N m",
-                    plateau(ran), plateau(same), "same discretisation", 5e-3, 1e-3,
-                    "the drive is steady and slow: "
-                    "inertia and a little damping add what falls as its speed")  # fmt: skip
-        findings.check(f"excess of linear tets over the closed form, interface model, {layers} layers", "1",
-                    plateau(same) / MOMENT - 1.0, band, "refined model", 2e-3, 1e-3,
-                    "that program gave the moment to three digits", scale=1.0)  # fmt: skip
-    findings.check("order of the run's excess over the closed form", "1", float(np.log2(excess[0] / excess[1])), 2.0,
-                "closed form", 0.1, 0.03,
-                "h^2, with what the speed of the drive adds, which does not fall with h")  # fmt: skip
+        tolerance = Tolerance(
+            5e-3,
+            1e-3,
+            "the drive is steady and slow: inertia and a little damping add what falls as its speed",
+            "same discretisation",
+        )
+        quantity = f"plateau of a run against linear tets of the interface model, {layers} layers"
+        findings.check(quantity, "N m", plateau(ran), plateau(same), tolerance)
+        tolerance = Tolerance(2e-3, 1e-3, "that program gave the moment to three digits", "refined model")
+        quantity = f"excess of linear tets over the closed form, interface model, {layers} layers"
+        findings.check(quantity, "1", plateau(same) / MOMENT - 1.0, band, tolerance, scale=1.0)
+    tolerance = Tolerance(0.1, 0.03, "h^2, with what the speed of the drive adds, which does not fall with h")
+    value = np.log2(excess[0] / excess[1])
+    findings.check("order of the run's excess over the closed form", "1", value, 2.0, tolerance)
     findings.plot("Moment against the turn of the arm's end", "turn (mrad)", "moment (N m)",
                *(Line(k, t * 1e3, m, "line" if "run" in k else "dashed") for k, (t, m) in curves.items()))  # fmt: skip
     return findings

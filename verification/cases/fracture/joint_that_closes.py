@@ -14,7 +14,7 @@ Reference: eqs (12), (14), (16) of the paper for the envelopes, straight lines b
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.single_tension import CYCLE
 from verification.references.closed_forms import Joint, dissipated_in_tension, unloaded
 from verification.scene_runs import result_of
@@ -40,13 +40,13 @@ def cycled(findings: Findings, law: str, unloading: str) -> None:
     place, widest = rows["displacement"], np.maximum.accumulate(rows["displacement"])
     wanted = np.array([float(unloaded(law, JOINT, x, w, unloading)) for x, w in zip(place, widest, strict=True)])
     gone = AREA * float(dissipated_in_tension(law, JOINT, float(widest[-1]), unloading))
-    booked = (1e-12, 1e-14, "differences of the area under the envelope: rounding")
+    booked = Tolerance(1e-12, 1e-14, "differences of the area under the envelope: rounding")
     if unloading == "elastic" and law != "linear":
-        booked = (1e-5, 2e-6, "the opening that stays is booked by the trapezoid: second order in the step")
-    findings.check(f"curve, {of}, largest deviation", "Pa", float(np.abs(rows["stress"] - wanted).max()), 0.0,
-                   "closed form", 1e-12, 2e-14, "the law sees every turn, and each place to the last bits: rounding",
-                   JOINT.fT)  # fmt: skip
-    findings.check(f"dissipated, {of}", "J", float(rows["fracture_mode_1"][-1]), gone, "closed form", *booked)
+        booked = Tolerance(1e-5, 2e-6, "the opening that stays is booked by the trapezoid: second order in the step")
+    tolerance = Tolerance(1e-12, 2e-14, "the law sees every turn, and each place to the last bits: rounding")
+    value = np.abs(rows["stress"] - wanted).max()
+    findings.check(f"curve, {of}, largest deviation", "Pa", value, 0.0, tolerance, scale=JOINT.fT)
+    findings.check(f"dissipated, {of}", "J", rows["fracture_mode_1"][-1], gone, booked)
     findings.plot(f"Joint, {of}", "opening (um)", "normal stress (MPa)", Line(of, 1e6 * place, 1e-6 * rows["stress"]))
 
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from verification.balance import dissipated
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "shear-wall-late-crack"
@@ -31,7 +31,8 @@ def run() -> Findings:
         summary = findings.note(label, result_of(SCENE, keys)).summary
         for (quantity, unit), value in _answer(summary).items():
             reference = wanted[quantity, unit]
-            findings.check(f"{quantity}, {label}", unit, value, reference, "converged run", 0.02, 0.005, REASON)
+            tolerance = Tolerance(0.02, 0.005, REASON, "converged run")
+            findings.check(f"{quantity}, {label}", unit, value, reference, tolerance)
         if label == "accuracy 1 %" or "0.4" in label:
             silent = float(not summary["sudden_cracks"])
             findings.at_most(f"no sudden crack named, {label}", "1", silent, 0.0, "the run says so")

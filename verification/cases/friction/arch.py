@@ -14,7 +14,7 @@ load is gravity; the thickness is bisected between 3 % above and 3 % below the p
 
 from functools import partial
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.arches import least_thickness
 from verification.fixtures.thresholds import threshold
 from verification.scene_runs import run as run_scene
@@ -40,14 +40,19 @@ def run() -> Findings:
     for n in VOUSSOIRS:
         limit = least_thickness(n, FRICTION)
         value, width = threshold(partial(falls, findings, n), 1.03 * limit, 0.97 * limit, 7)
-        findings.check(f"t/R at which an arch of {n} voussoirs falls", "1", value, limit, "limit analysis", 2e-3,
-                    width / limit + 3e-4,
-                    "the catalogue's bracket of 3 %, halved seven times; springs without tension and forces at the "
-                    "ends of joints are what the program has too, "
-                    "so nothing else is missing but time to fall in")  # fmt: skip
-    findings.check("t/R by the program, 201 voussoirs", "1", least_thickness(201, FRICTION, 10), MILANKOVITCH,
-                "closed form", 2e-3, 5e-4,
-                "201 voussoirs do not open quite anywhere; the reference is rounded to four digits")  # fmt: skip
+        tolerance = Tolerance(
+            2e-3,
+            width / limit + 3e-4,
+            "the catalogue's bracket of 3 %, halved seven times; springs without tension and forces at the ends of "
+            "joints are what the program has too, so nothing else is missing but time to fall in",
+            "limit analysis",
+        )
+        findings.check(f"t/R at which an arch of {n} voussoirs falls", "1", value, limit, tolerance)
+    tolerance = Tolerance(
+        2e-3, 5e-4, "201 voussoirs do not open quite anywhere; the reference is rounded to four digits"
+    )
+    value = least_thickness(201, FRICTION, 10)
+    findings.check("t/R by the program, 201 voussoirs", "1", value, MILANKOVITCH, tolerance)
     return findings
 
 

@@ -15,7 +15,7 @@ joints bear no tension; nothing slides at a friction of 0.7. Weights and centroi
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.arches import Arch, greatest_thrust, least_thrust
 from verification.scene_runs import result_of
 
@@ -48,16 +48,19 @@ def run() -> Findings:
         least, greatest = (WEIGHT * bound(arch) for bound in (least_thrust, greatest_thrust))
         limit, rows = least if by.startswith("-") else greatest, result.history.rows
         settled = float(rows["force"][np.flatnonzero(rows["displacement"] == 0.0)[-1]])
-        findings.check(f"{words}: thrust", "N", float(rows["force"][-1]), limit, "limit analysis", 4e-12, 1e-12,
-                    "points at the edges make hinges exact, joints keep their places: "
-                    "how far all has come to rest")  # fmt: skip
-        findings.at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", largest_eccentricity(result),
-                      1.0 + 1e-9,
-                      "the line of thrust lies in the arch, and touches its edge at the hinges")  # fmt: skip
-        findings.at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0,
-                      "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
-        findings.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0,
-                      "the safe theorem: any thrust that stands lies between the two")  # fmt: skip
+        tolerance = Tolerance(
+            4e-12,
+            1e-12,
+            "points at the edges make hinges exact, joints keep their places: how far all has come to rest",
+            "limit analysis",
+        )
+        findings.check(f"{words}: thrust", "N", rows["force"][-1], limit, tolerance)
+        reason = "the line of thrust lies in the arch, and touches its edge at the hinges"
+        value = largest_eccentricity(result)
+        findings.at_most(f"{words}: eccentricity of the thrust, 1 at the edge", "1", value, 1.0 + 1e-9, reason)
+        reason = "the safe theorem: any thrust that stands lies between the two"
+        findings.at_most(f"{words}: least thrust over that of the weight alone", "1", least / settled, 1.0, reason)
+        findings.at_most(f"{words}: thrust of the weight alone over the greatest", "1", settled / greatest, 1.0, reason)
         if arch.voussoirs == ARCHES[0][1].voussoirs:
             travel = np.abs(1e3 * rows["displacement"])
             lines += [Line(words, travel, rows["force"]), Line("by hand", travel[[0, -1]], np.full(2, limit), "dashed")]

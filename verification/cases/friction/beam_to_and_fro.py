@@ -12,7 +12,7 @@ at 0, dissipates R s + 2 R s.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "beam-to-and-fro"
@@ -38,20 +38,13 @@ def run() -> Findings:
         first, second = result.summary["cycles"]
         bound = f"to {100 * accuracy:g} %"
         for name, cycle, wanted in (("first", first, 3.0 * once), ("second", second, 4.0 * once)):
-            findings.check(
-                f"dissipated in the {name} cycle, {bound}",
-                "J",
-                cycle["dissipated_j"],
-                wanted,
-                "closed form",
-                1e-3,
-                6e-4,
-                WHY,
-            )
-        findings.check(f"way of the beam, {bound}", "m", second["farthest_m"] - second["farthest_back_m"],
-                    2.0 * (FORCE - SLIDES) / FOOT, "closed form", 1e-3, 1e-4, WHY)  # fmt: skip
-        findings.at_most(f"work that damping took, {bound}", "1", result.summary["damping_over_external"], accuracy,
-                      "rests follow on each other slowly")  # fmt: skip
+            tolerance = Tolerance(1e-3, 6e-4, WHY)
+            findings.check(f"dissipated in the {name} cycle, {bound}", "J", cycle["dissipated_j"], wanted, tolerance)
+        tolerance = Tolerance(1e-3, 1e-4, WHY)
+        value = second["farthest_m"] - second["farthest_back_m"]
+        findings.check(f"way of the beam, {bound}", "m", value, 2.0 * (FORCE - SLIDES) / FOOT, tolerance)
+        value = result.summary["damping_over_external"]
+        findings.at_most(f"work that damping took, {bound}", "1", value, accuracy, "rests follow on each other slowly")
     rows = result.history.rows
     reading = 1e6 * (rows["beam"] - rows["beam"][int(np.flatnonzero(rows["load_factor"])[0]) - 1])
     turns = np.array([0.0, 2.0 * SLIDES, FORCE])

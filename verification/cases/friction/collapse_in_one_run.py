@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 import masonry
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.walls_with_openings import wall_3, wall_of
 from verification.scene_runs import load
 from verification.scene_runs import run as run_scene
@@ -106,14 +106,13 @@ def run() -> Findings:
             f"{name}: a run {collapse['borne']:.6g} to {collapse['falls']:.6g} in {result.summary['steps']} steps and "
             f"{seconds:.1f} s, compile included; limit analysis {bound:.6g} in {by_limit:.2f} s"
         )
-        findings.at_most(
-            f"trials of {name} that did not end", "1", collapse["undecided"], 0.0, "all come to rest or fall"
-        )
+        reason = "all come to rest or fall"
+        findings.at_most(f"trials of {name} that did not end", "1", collapse["undecided"], 0.0, reason)
         mismatch = result.summary["dissipation_mismatch"]
         findings.at_most(f"what laws and contacts disagree on, {name}", "1", mismatch, 0.01, "the limit of trust")
         if name in EXACT:
-            findings.check(f"load factor, {name}", "1", middle, bound, "limit analysis", 0.01, 0.5 * ACCURACY,
-                           "half the interval")  # fmt: skip
+            tolerance = Tolerance(0.01, 0.5 * ACCURACY, "half the interval", "limit analysis")
+            findings.check(f"load factor, {name}", "1", middle, bound, tolerance)
             continue
         least = masonry.limit(wanted, dilation=False).factor
         findings.at_most(f"load factor borne, {name}", "1", collapse["borne"], bound, "the bound of limit analysis")

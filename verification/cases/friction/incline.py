@@ -16,7 +16,7 @@ from math import atan, cos, radians, sin, tan
 import numpy as np
 
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.thresholds import threshold
 from verification.scene_runs import result_of
 
@@ -48,9 +48,12 @@ def run() -> Findings:
         return bool(slid(result)[-1] > 20 * elastic)
 
     angle, width = threshold(slides, 0.95 * atan(MU), 1.05 * atan(MU), 9)
-    findings.check("tan(theta) at which it slides", "1", tan(angle), MU, "closed form", 1e-3, width * (1 + MU**2) / MU,
-                "the catalogue's 0.1 %; bisection ends within 1e-4, "
-                "and a block is called sliding after 20 elastic slips")  # fmt: skip
+    tolerance = Tolerance(
+        1e-3,
+        width * (1 + MU**2) / MU,
+        "the catalogue's 0.1 %; bisection ends within 1e-4, and a block is called sliding after 20 elastic slips",
+    )
+    findings.check("tan(theta) at which it slides", "1", tan(angle), MU, tolerance)
     motion(findings)
     return findings
 
@@ -71,14 +74,18 @@ def motion(findings: Findings) -> None:
     x = slid(plain)
     worst = int(np.argmax(np.where(after, np.abs(x / exact - 1), 0)))
     lag = DENSITY * HEIGHT * G * cos(theta) * MU / SHEAR
-    findings.check("x(t), the worst of all frames after the rise", "m", float(x[worst]), float(exact[worst]),
-                "closed form", 5 * lag / exact[after][0], lag / exact[after][0],
-                "the block is ahead by the elastic slip mu N/ks, 1e-5 of the way; "
-                "rounding in dt/rise adds as much")  # fmt: skip
+    tolerance = Tolerance(
+        5 * lag / exact[after][0],
+        lag / exact[after][0],
+        "the block is ahead by the elastic slip mu N/ks, 1e-5 of the way; rounding in dt/rise adds as much",
+    )
+    findings.check("x(t), the worst of all frames after the rise", "m", x[worst], exact[worst], tolerance)
     dt = float(damped.summary["time_step_s"]) / float(plain.summary["time_step_s"])
     ratio = slid(damped)[-1] / dt**2 / x[-1]
-    findings.check("x with xi = 0.8 over x with xi = 0", "1", float(ratio), 0.2, "closed form", 1e-4, 2e-5,
-                "(1 - xi) of the force accelerates; the elastic slip is a larger share of the shorter way")  # fmt: skip
+    tolerance = Tolerance(
+        1e-4, 2e-5, "(1 - xi) of the force accelerates; the elastic slip is a larger share of the shorter way"
+    )
+    findings.check("x with xi = 0.8 over x with xi = 0", "1", ratio, 0.2, tolerance)
     lines = (Line("masonry", times, x, "points"), Line("closed form", times[after], exact[after], "dashed"))
     findings.plot("Slide at 45 degrees", "time (s)", "x (m)", *lines)
 

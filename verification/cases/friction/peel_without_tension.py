@@ -7,7 +7,7 @@ The drive must be bounded from the first opening on, not only from the first fra
 """
 
 from masonry.judgement.judgement import judgement_of
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "peel-without-tension"
@@ -21,8 +21,8 @@ def run() -> Findings:
     slow = findings.note("400,000 steps", result_of(SCENE, CONVERGED)).summary
     paced = findings.note("accuracy 1 %", result_of(SCENE)).summary
     for quantity, key, expected in (("peak", "peak_stress_pa", 0.004), ("end", "final_stress_pa", 0.003)):
-        findings.check(f"stress at the {quantity}", "Pa", paced[key], slow[key], "converged run", 0.01, expected,
-                       REASON)  # fmt: skip
+        tolerance = Tolerance(0.01, expected, REASON, "converged run")
+        findings.check(f"stress at the {quantity}", "Pa", paced[key], slow[key], tolerance)
     silent = float(all(doubt.name != "sudden_cracks" for doubt in judgement_of(paced).doubts))
     findings.at_most("no word on sudden cracks", "1", silent, 0.0, "they released 12 % of the work")
     return findings

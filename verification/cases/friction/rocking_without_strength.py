@@ -13,7 +13,7 @@ is a mechanism, and a damping about its expected motion must neither feed it nor
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import result_of
 
 SCENE = "dry-rocking"
@@ -27,12 +27,15 @@ def run() -> Findings:
     summary, points = result.summary, result.joints.point
     at_joint = np.abs(points[:, 2] - HEIGHT) < 1e-9
     lever = float(np.ptp(points[at_joint, 0])) / 2.0
-    findings.check("force over the section at the end", "Pa", summary["final_stress_pa"],
-                   N_OVER_AREA * lever / (HEIGHT / 2.0), "closed form", 1e-11, 2e-12,
-                   "displacements are small, so the lever is that of the drawing; what swings at the end is below "
-                   "rounding")  # fmt: skip
-    findings.at_most("kinetic over internal energy", "1", summary["kinetic_over_internal_max"], 0.01,
-                     "it moves with its drive")  # fmt: skip
+    tolerance = Tolerance(
+        1e-11,
+        2e-12,
+        "displacements are small, so the lever is that of the drawing; what swings at the end is below rounding",
+    )
+    value = summary["final_stress_pa"]
+    findings.check("force over the section at the end", "Pa", value, N_OVER_AREA * lever / (HEIGHT / 2.0), tolerance)
+    reason = "it moves with its drive"
+    findings.at_most("kinetic over internal energy", "1", summary["kinetic_over_internal_max"], 0.01, reason)
     findings.at_most("work of damping, given", "1", -summary["damping_over_external"], 1e-6, "damping only takes")
     return findings
 

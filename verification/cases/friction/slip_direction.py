@@ -12,7 +12,7 @@ Reference: perfect plasticity on a circle, by hand; eq. (8) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.one_contact import Walk, along, law, walk
 from verification.fixtures.single_tension import UM
 from verification.references.closed_forms import Joint
@@ -45,15 +45,17 @@ def run() -> Findings:
     size = np.hypot(*slipped.T) * np.hypot(*stress.T)
     skew = float(np.abs(cross[moving] / size[moving]).max())
     first = 0.05 * UM * JOINT.ks / STRENGTH
-    findings.check("|t| beyond the corner, largest deviation", "Pa", float(np.abs(walked.tau[beyond] - STRENGTH).max()),
-                0.0, "closed form", 1e-12, 1e-14, "the return ends on the cone: rounding", STRENGTH)  # fmt: skip
-    findings.check("sine of the angle from slip to stress, largest", "1", skew, 0.0, "closed form", 5e-12, 1e-13,
-                "a difference of slips of 0.05 um in 100 um: rounding", 1.0)  # fmt: skip
-    findings.check("direction of the stress, largest deviation", "rad", off[2], 0.0, "closed form", first, 0.3 * first,
-                "a step turns the stress by up to k_s du/T; an implicit step of first order errs by less",
-                1.0)  # fmt: skip
-    findings.check("order of the direction in du", "1", float(np.log2(off[1] / off[2])), 1.0, "closed form", 0.02, 5e-3,
-                "implicit step: the next term is du k_s/T of it")  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "the return ends on the cone: rounding")
+    value = np.abs(walked.tau[beyond] - STRENGTH).max()
+    findings.check("|t| beyond the corner, largest deviation", "Pa", value, 0.0, tolerance, scale=STRENGTH)
+    tolerance = Tolerance(5e-12, 1e-13, "a difference of slips of 0.05 um in 100 um: rounding")
+    findings.check("sine of the angle from slip to stress, largest", "1", skew, 0.0, tolerance, scale=1.0)
+    tolerance = Tolerance(
+        first, 0.3 * first, "a step turns the stress by up to k_s du/T; an implicit step of first order errs by less"
+    )
+    findings.check("direction of the stress, largest deviation", "rad", off[2], 0.0, tolerance, scale=1.0)
+    tolerance = Tolerance(0.02, 5e-3, "implicit step: the next term is du k_s/T of it")
+    findings.check("order of the direction in du", "1", np.log2(off[1] / off[2]), 1.0, tolerance)
     x = 1e6 * y
     some = slice(0, None, 50)
     lines = (Line("contact", x, had), Line("closed form", x[some], angle[some], "points"))

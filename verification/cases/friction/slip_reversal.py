@@ -14,7 +14,7 @@ Reference: by hand from eqs (8), (13), (15), (17) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.single_shear import slid
 from verification.fixtures.single_tension import UM
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
@@ -47,10 +47,10 @@ def run() -> Findings:
         expected = abs(trapezoid - loop) / loop
         rough = expected > 1e-13
         reason = "three times the error of the trapezoid along the envelope"
-        findings.check(f"stress after the turn, {name}, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
-                    "the same straight lines and envelope: rounding", top)  # fmt: skip
-        findings.check(f"dissipated in the loop, {name}", "J/m2", float(walked.dissipated[again]), loop, "closed form",
-                    3 * expected if rough else 1e-12, expected if rough else 1e-14, reason)  # fmt: skip
+        tolerance = Tolerance(1e-12, 1e-14, "the same straight lines and envelope: rounding")
+        findings.check(f"stress after the turn, {name}, largest deviation", "Pa", off, 0.0, tolerance, scale=top)
+        tolerance = Tolerance(3 * expected if rough else 1e-12, expected if rough else 1e-14, reason)
+        findings.check(f"dissipated in the loop, {name}", "J/m2", walked.dissipated[again], loop, tolerance)
         lines.append(Line(name, 1e6 * x, 1e-6 * walked.stress[:, 0]))
     findings.plot("Slip that turns back", "slip (um)", "shear stress (MPa)", *lines)
     return findings

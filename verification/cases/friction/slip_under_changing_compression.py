@@ -13,7 +13,7 @@ Reference: eqs (8) and (17) of the paper.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.one_contact import Walk, along, law, walk
 from verification.fixtures.single_tension import UM
 from verification.references.closed_forms import Joint, shear
@@ -27,8 +27,8 @@ def check(findings: Findings, words: str, walked: Walk, wanted: np.ndarray) -> N
     """Stress beyond 40 um of slip against the wanted one."""
     sliding = walked.path[:, 0] > 40 * UM
     off = float(np.abs(walked.tau - wanted)[sliding].max())
-    findings.check(f"stress, {words}, largest deviation", "Pa", off, 0.0, "closed form", 1e-12, 1e-14,
-                   "the same formula: rounding", float(wanted.max()))  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "the same formula: rounding")
+    findings.check(f"stress, {words}, largest deviation", "Pa", off, 0.0, tolerance, scale=wanted.max())
     x, some = 1e6 * walked.path[:, 0], slice(0, None, 100)
     lines = (Line("contact", x, 1e-6 * walked.tau), Line("closed form", x[some], 1e-6 * wanted[some], "points"))
     findings.plot(f"Changing compression, {words}", "slip (um)", "shear stress (MPa)", *lines)
@@ -74,9 +74,9 @@ def slip_again(findings: Findings) -> None:
     slip = walked.path[again, 0]
     left = first * np.exp(-joint.c0 / joint.mode_2_energy(0.1e6) * np.maximum(slip - begins, 0.0))
     wanted = np.where(slip < begins, joint.ks * (slip - plastic), rest + left * drop)
-    findings.check("stress of slip again under less compression, largest deviation", "Pa",
-                   float(np.abs(walked.stress[again, 0] - wanted).max()), 0.0, "closed form", 1e-12, 1e-14,
-                   "the same formula: rounding", joint.c0)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-14, "the same formula: rounding")
+    quantity = "stress of slip again under less compression, largest deviation"
+    findings.check(quantity, "Pa", np.abs(walked.stress[again, 0] - wanted).max(), 0.0, tolerance, scale=joint.c0)
     assert slip[0] == back and slip[-1] == last
     x, some = 1e6 * slip, slice(0, None, 20)
     lines = (
@@ -103,20 +103,12 @@ def run() -> Findings:
         wanted = softened(path[:, 0])
         offs.append(float(np.abs(walked.tau - wanted)[path[:, 0] > 20 * UM].max()))
         fall = float(min(np.diff(walked.dissipated).min(), 0.0))
-    findings.check("stress, exponential, largest deviation", "Pa", offs[1], 0.0, "closed form", 1e-5, 2e-6,
-                "the compression of a step is that at its end: first order", JOINT.c0)  # fmt: skip
-    findings.check(
-        "deviation, exponential, over that in half the steps",
-        "1",
-        offs[0] / offs[1],
-        2.0,
-        "order",
-        1e-3,
-        2e-4,
-        "first order",
-    )
-    findings.check("dissipation never falls, largest fall", "J/m2", fall, 0.0, "closed form", 1e-12, 1e-14,
-                "sliding against a cone: rounding", float(walked.dissipated[-1]))  # fmt: skip
+    tolerance = Tolerance(1e-5, 2e-6, "the compression of a step is that at its end: first order")
+    findings.check("stress, exponential, largest deviation", "Pa", offs[1], 0.0, tolerance, scale=JOINT.c0)
+    tolerance = Tolerance(1e-3, 2e-4, "first order", "order")
+    findings.check("deviation, exponential, over that in half the steps", "1", offs[0] / offs[1], 2.0, tolerance)
+    tolerance = Tolerance(1e-12, 1e-14, "sliding against a cone: rounding")
+    findings.check("dissipation never falls, largest fall", "J/m2", fall, 0.0, tolerance, scale=walked.dissipated[-1])
     slip_again(findings)
     return findings
 

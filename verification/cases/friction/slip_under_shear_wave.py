@@ -18,7 +18,7 @@ from math import asin, cos, pi, sin
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.waves import WAVELENGTH, Bar, Floats, Wave
 
 AMPLITUDE, CYCLES, CELLS = 1e-6, 3, 80
@@ -82,15 +82,18 @@ def run() -> Findings:
         wave = bar.run(CELLS, moved, 8.0 * PERIOD)
         findings.note(f"ts/t0 = {s}", wave.result)
         for name, value, reference in zip("TRA", measured(bar, wave), coefficients(s), strict=True):
-            findings.check(f"{name}, ts/t0 = {s}", "1", value, reference, "closed form", 2e-3, 5e-4,
-                        "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's "
-                        "corners; cells of 1/80 wavelength round them", 1.0)  # fmt: skip
+            tolerance = Tolerance(
+                2e-3,
+                5e-4,
+                "the joint's stiffness takes (1/100)^2 of an elastic wave and delays the clipped one's corners; cells "
+                "of 1/80 wavelength round them",
+            )
+            findings.check(f"{name}, ts/t0 = {s}", "1", value, reference, tolerance, scale=1.0)
         came_in = CYCLES * 0.5 * INCIDENT**2 / IMPEDANCE * PERIOD * wave.area
         heat = dissipated(wave.result.summary) / came_in
-        findings.check(f"heat that the joint booked over the incident energy, ts/t0 = {s}", "1", heat,
-                    coefficients(s)[2] ** 2, "closed form", 2e-3, 5e-4,
-                    "the same A^2 from the law's own account, over all three cycles",
-                    1.0)  # fmt: skip
+        tolerance = Tolerance(2e-3, 5e-4, "the same A^2 from the law's own account, over all three cycles")
+        quantity = f"heat that the joint booked over the incident energy, ts/t0 = {s}"
+        findings.check(quantity, "1", heat, coefficients(s)[2] ** 2, tolerance, scale=1.0)
         beyond = wave.x > bar.before * WAVELENGTH
         stress = np.diff(wave.u[beyond]) / np.diff(wave.x[beyond]) * bar.modulus
         place = wave.x[beyond][1:]

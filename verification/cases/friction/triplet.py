@@ -12,7 +12,7 @@ Reference: eqs (8), (17) of the paper; statics.
 import numpy as np
 
 from verification.balance import dissipated
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.single_shear import around_the_peak
 from verification.references.closed_forms import Joint, dissipated_in_shear, shear
 from verification.scene_runs import result_of
@@ -36,21 +36,13 @@ def at_every_step(findings: Findings) -> None:
         ("peak stress", "peak_stress_pa", "Pa", "stress", highest),
         ("displacement at the peak", "displacement_at_peak_m", "m", "displacement", near),
     ):
-        findings.check(
-            f"{name}, of the row that has it",
-            unit,
-            few[key],
-            float(rows[column][row]),
-            "closed form",
-            1e-12,
-            1e-13,
-            "the same step: rounding of sums",
-        )
+        tolerance = Tolerance(1e-12, 1e-13, "the same step: rounding of sums")
+        findings.check(f"{name}, of the row that has it", unit, few[key], rows[column][row], tolerance)
 
 
 def run() -> Findings:
     """Force on the middle unit, and what both joints dissipate."""
-    findings, joint, kind = Findings(), Joint(), "closed form"
+    findings, joint = Findings(), Joint()
     result = findings.note("triplet", result_of(SCENE))
     rows = result.history.rows
     moved = rows["displacement"] > 0.0
@@ -64,19 +56,24 @@ def run() -> Findings:
     at = (1.0 - NEAR) * float(joint.peak(S)) / joint.ks
     k = int(np.searchsorted(slip, at))
     step = float((slip[k] - slip[k - 1]) / (rows["step"][moved][k] - rows["step"][moved][k - 1]))
-    findings.check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, kind, missed, 0.5 * missed,
-                "the step that misses the peak, at most du k_s q/(k_s + q)")  # fmt: skip
-    findings.check("force at every slip, largest deviation", "N", float(np.abs(force - wanted).max()), 0.0, kind, 1e-12,
-                1e-13, "what the settled confinement still swings by, and rounding", peak)  # fmt: skip
-    findings.check("force of the supports at every slip, largest deviation from that of the drive", "N",
-                float(AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max()), 0.0, kind, 1e-12, 1e-13,
-                "nothing that could hold back a force moves along x: rounding", peak)  # fmt: skip
-    findings.check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, kind, step / at,
-                0.5 * step / at, "the step in which the force comes within 0.1 % of the peak")  # fmt: skip
-    findings.check("displacement at the end", "m", float(slip[-1]), LAST, kind, 1e-12, 1e-13,
-                "what the scene asks for; a sum of 20,000 steps: rounding")  # fmt: skip
-    findings.check("dissipated by both joints", "J", dissipated_energy, gone, kind, 3 * rough, rough,
-                "the trapezoid: of the envelope, and of the corner at the peak that no step hits")  # fmt: skip
+    tolerance = Tolerance(missed, 0.5 * missed, "the step that misses the peak, at most du k_s q/(k_s + q)")
+    findings.check("peak force", "N", AREA * result.summary["peak_stress_pa"], peak, tolerance)
+    tolerance = Tolerance(1e-12, 1e-13, "what the settled confinement still swings by, and rounding")
+    value = np.abs(force - wanted).max()
+    findings.check("force at every slip, largest deviation", "N", value, 0.0, tolerance, scale=peak)
+    tolerance = Tolerance(1e-12, 1e-13, "nothing that could hold back a force moves along x: rounding")
+    quantity = "force of the supports at every slip, largest deviation from that of the drive"
+    findings.check(
+        quantity, "N", AREA * np.abs(rows["support_stress"] - rows["stress"])[moved].max(), 0.0, tolerance, scale=peak
+    )
+    tolerance = Tolerance(step / at, 0.5 * step / at, "the step in which the force comes within 0.1 % of the peak")
+    findings.check("displacement at the peak", "m", result.summary["displacement_at_peak_m"], at, tolerance)
+    tolerance = Tolerance(1e-12, 1e-13, "what the scene asks for; a sum of 20,000 steps: rounding")
+    findings.check("displacement at the end", "m", slip[-1], LAST, tolerance)
+    tolerance = Tolerance(
+        3 * rough, rough, "the trapezoid: of the envelope, and of the corner at the peak that no step hits"
+    )
+    findings.check("dissipated by both joints", "J", dissipated_energy, gone, tolerance)
     at_every_step(findings)
     some = slice(None, None, 20)
     lines = (

@@ -15,7 +15,7 @@ from math import atan, degrees
 
 import numpy as np
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import Settings, result_of
 
 THINNEST, TILT, SPREAD = 0.10708, 0.37361, 0.0337
@@ -54,8 +54,8 @@ def fell(findings: Findings, name: str, scene: str, knobs: Settings, wanted: boo
     """Run an arch, and hold whether it has fallen."""
     result = findings.note(name, result_of(scene, knobs))
     has = result.summary["collapse"] is not None
-    findings.at_most(f"{name}: {'stands' if wanted else 'falls'}", "1", float(has != wanted), 0.0,
-                     f"it {'falls' if wanted else 'stands'} on this side of the limit")  # fmt: skip
+    reason = f"it {'falls' if wanted else 'stands'} on this side of the limit"
+    findings.at_most(f"{name}: {'stands' if wanted else 'falls'}", "1", has != wanted, 0.0, reason)
 
 
 def by_spread() -> Findings:
@@ -64,15 +64,18 @@ def by_spread() -> Findings:
     result = findings.note("spreading", result_of("arch-spreading"))
     fallen, rows = result.summary["collapse"], result.history.rows
     began = abs(fallen["began"]["displacement_m"])
-    findings.check("spread at which it begins to fall, over R", "1", began, SPREAD, "limit analysis", 0.05, 0.015,
-                   "its last hinge opens slowly, and joints give way by a share of 1e-5")  # fmt: skip
+    tolerance = Tolerance(
+        0.05, 0.015, "its last hinge opens slowly, and joints give way by a share of 1e-5", "limit analysis"
+    )
+    findings.check("spread at which it begins to fall, over R", "1", began, SPREAD, tolerance)
     weight = 2000.0 * 9.81 * 0.3  # of a unit of area
     thrust = -rows["force"] / weight
     travel = np.abs(rows["displacement"])
     opened = (travel > 0.1 * SPREAD) & (travel < 0.2 * SPREAD)
     first = float(np.mean(np.abs(thrust[opened])))
-    findings.check("thrust once the hinges are there", "1", first, THRUST[0] + 0.15 * (THRUST[1] - THRUST[0]),
-                   "limit analysis", 0.02, 0.01, "between 0.1 and 0.2 of the way")  # fmt: skip
+    tolerance = Tolerance(0.02, 0.01, "between 0.1 and 0.2 of the way", "limit analysis")
+    quantity = "thrust once the hinges are there"
+    findings.check(quantity, "1", first, THRUST[0] + 0.15 * (THRUST[1] - THRUST[0]), tolerance)
     return findings
 
 

@@ -10,7 +10,7 @@ Reference: statics of a rigid block about its edge.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.dry_blocks import DENSITY, G, block
 from verification.scene_runs import result_of
 
@@ -42,11 +42,10 @@ def run() -> Findings:
     left = np.arcsin(np.sin(alpha) - travel / radius)  # alpha - theta
     off = rows["force"][late] / weight - np.tan(left[late])
     worst = int(np.argmax(np.abs(off)))
-    findings.check("force over weight", "1", float(off[worst]), 0.0, "closed form", 1e-3, 1e-4,
-                   "springs let the edge in by a share of 1e-6, and v^2/(g R) is 3e-4", scale=1.0)  # fmt: skip
+    tolerance = Tolerance(1e-3, 1e-4, "springs let the edge in by a share of 1e-6, and v^2/(g R) is 3e-4")
+    findings.check("force over weight", "1", off[worst], 0.0, tolerance, scale=1.0)
     at_rest = float(np.interp(0.0, -(rows["force"][late]), travel[late]))
-    findings.check("way at which it balances", "m", at_rest, HALF, "closed form", 1e-3, 1e-4,
-                   "as the force", scale=HALF)  # fmt: skip
+    findings.check("way at which it balances", "m", at_rest, HALF, Tolerance(1e-3, 1e-4, "as the force"), scale=HALF)
     findings.plot("A block pushed over at its centre", "way of the centre (mm)", "force over weight (1)",
                   Line("run", travel * 1e3, rows["force"] / weight),
                   Line("tan(alpha - theta)", travel * 1e3, np.tan(left), "dashed"))  # fmt: skip

@@ -20,7 +20,7 @@ from geometry.blocks import Specimen
 from geometry.specimens.boxes import boxes
 from masonry.assembly.assemble import Assembly
 from masonry.timeloop import timeloop
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import assembled
 
 SCENE, SIZE = "brick-in-flight", (0.24, 0.115, 0.06)
@@ -56,13 +56,13 @@ def in_flight() -> Findings:
         body = flown(step).model.bodies.rigid
         states.append(body.frame[0].T @ body.v[0, 3:])
     errors = [float(np.abs(rates - RATES).max()) for rates in states]
-    findings.check("order of the error in the step", "1", float(np.log2(errors[1] / errors[2])), 2.0, "closed form",
-                   0.05, 0.01, "Buss's step is of second order")  # fmt: skip
+    tolerance = Tolerance(0.05, 0.01, "Buss's step is of second order")
+    findings.check("order of the error in the step", "1", np.log2(errors[1] / errors[2]), 2.0, tolerance)
     limit = states[2] + (states[2] - states[1]) / 3.0
-    findings.check("rates after 2 s, extrapolated", "rad/s", float(np.abs(limit - RATES).max()), 0.0, "closed form",
-                   1e-6, 2e-7, "fourth order is left", scale=1.0)  # fmt: skip
-    findings.check("angular momentum", "kg m2/s", float(np.linalg.norm(body.momentum[0])), MOMENTUM, "closed form",
-                   1e-8, 1e-9, "nothing changes it, to the bit; the closed form has nine digits")  # fmt: skip
+    tolerance = Tolerance(1e-6, 2e-7, "fourth order is left")
+    findings.check("rates after 2 s, extrapolated", "rad/s", np.abs(limit - RATES).max(), 0.0, tolerance, scale=1.0)
+    tolerance = Tolerance(1e-8, 1e-9, "nothing changes it, to the bit; the closed form has nine digits")
+    findings.check("angular momentum", "kg m2/s", np.linalg.norm(body.momentum[0]), MOMENTUM, tolerance)
     return findings
 
 
@@ -93,14 +93,13 @@ def on_a_corner() -> Findings:
     body = built.model.bodies.rigid
     after, mass = body.v[1], float(built.model.masses["rigid"][1, 0])
     for k, name in ((2, "speed upwards"), (3, "spin about x"), (4, "spin about y"), (5, "spin about z")):
-        findings.check(f"{name} after the impact", "m/s" if k == 2 else "rad/s", float(after[k]), float(AFTER[k]),
-                       "closed form", 1e-3, 2e-4, "the brick turns while its corner presses")  # fmt: skip
-    findings.check("impulse", "N s", mass * float(after[2] + 1.0), IMPULSE, "closed form", 1e-3, 2e-4,
-                   "as the speed")  # fmt: skip
+        tolerance = Tolerance(1e-3, 2e-4, "the brick turns while its corner presses")
+        findings.check(f"{name} after the impact", "m/s" if k == 2 else "rad/s", after[k], AFTER[k], tolerance)
+    findings.check("impulse", "N s", mass * float(after[2] + 1.0), IMPULSE, Tolerance(1e-3, 2e-4, "as the speed"))
     rows = outcome.history.rows
     left = float(rows["kinetic"][-1] / rows["kinetic"][0])
-    findings.check("kinetic energy after over before", "1", left, 1.0, "closed form", 1e-3, 3e-4,
-                   "no friction and no dashpot")  # fmt: skip
+    tolerance = Tolerance(1e-3, 3e-4, "no friction and no dashpot")
+    findings.check("kinetic energy after over before", "1", left, 1.0, tolerance)
     return findings
 
 

@@ -15,7 +15,7 @@ Reference: springs over the face that do not pull, and friction over it, integra
 
 from math import atan, cos, degrees, log, sqrt
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.dry_blocks import DENSITY, G, block, box, leaning, slab
 from verification.scene_runs import Settings, result_of
 
@@ -71,16 +71,17 @@ def run() -> Findings:
     """Tilt of a closed and an open joint, and spin, with points at the corners and spread."""
     findings = Findings()
     at_corners = sqrt(2.0) * HALF / ((sqrt(2.0) + log(1.0 + sqrt(2.0))) / 6.0 * WIDE)
-    findings.check("tilt of a closed joint", "1", tilted(findings, "spread", CLOSED), 1.0, "closed form", 5e-4, 1e-4,
-                   "all moments of area are exact")  # fmt: skip
-    findings.check("tilt of an open joint", "1", tilted(findings, "spread", OPEN), 1.0, "closed form", 0.1, 0.07,
-                   "two rows of points on either side of the middle")  # fmt: skip
-    findings.check("friction on a spin", "1", slowed(findings, "spread"), 1.0, "closed form", 0.02, 0.006,
-                   "four points inside and four at the corners")  # fmt: skip
-    findings.check("tilt of a closed joint, corners alone", "1", tilted(findings, "corners", CLOSED), 1.0 / 3.0,
-                   "same discretisation", 5e-4, 1e-4, "half of the area on either edge")  # fmt: skip
-    findings.check("friction on a spin, corners alone", "1", slowed(findings, "corners"), at_corners,
-                   "same discretisation", 0.01, 1e-3, "all of the area on the corners")  # fmt: skip
+    tolerance = Tolerance(5e-4, 1e-4, "all moments of area are exact")
+    findings.check("tilt of a closed joint", "1", tilted(findings, "spread", CLOSED), 1.0, tolerance)
+    tolerance = Tolerance(0.1, 0.07, "two rows of points on either side of the middle")
+    findings.check("tilt of an open joint", "1", tilted(findings, "spread", OPEN), 1.0, tolerance)
+    tolerance = Tolerance(0.02, 0.006, "four points inside and four at the corners")
+    findings.check("friction on a spin", "1", slowed(findings, "spread"), 1.0, tolerance)
+    tolerance = Tolerance(5e-4, 1e-4, "half of the area on either edge", "same discretisation")
+    value = tilted(findings, "corners", CLOSED)
+    findings.check("tilt of a closed joint, corners alone", "1", value, 1.0 / 3.0, tolerance)
+    tolerance = Tolerance(0.01, 1e-3, "all of the area on the corners", "same discretisation")
+    findings.check("friction on a spin, corners alone", "1", slowed(findings, "corners"), at_corners, tolerance)
     return findings
 
 

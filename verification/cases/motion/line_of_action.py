@@ -15,7 +15,7 @@ Reference: moments about the toe, by hand.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import result_of
 
 SCENE, WIDE, HIGH, FORCE, SECTION = "block-pressed-and-pushed", 0.5, 1.0, 20e3, 0.1
@@ -34,9 +34,9 @@ def run() -> Findings:
         rows, wanted = result.history.rows, FORCE * levers[line] / up
         place, force = rows["displacement"], rows["stress"] * SECTION
         late = (place > 0.02) & (place < 0.03)
-        findings.check(f"mean force from 20 to 30 mm, the load {words}", "N", float(force[late].mean()),
-                       float(np.interp(place[late], across, wanted).mean()), "closed form", 5e-3, 8e-4,
-                       "the toe gives way, and the drive is paced roughly")  # fmt: skip
+        tolerance = Tolerance(5e-3, 8e-4, "the toe gives way, and the drive is paced roughly")
+        reference = np.interp(place[late], across, wanted).mean()
+        findings.check(f"mean force from 20 to 30 mm, the load {words}", "N", force[late].mean(), reference, tolerance)
         curves.append(Line(f"run, the load {words}", place, force))
         curves.append(Line(f"by hand, the load {words}", across, wanted, "dashed"))
     findings.plot("Force at the centroid", "displacement (m)", "force (N)", *curves)

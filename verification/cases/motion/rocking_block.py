@@ -15,7 +15,7 @@ from math import atan, cos, hypot
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import result_of
 
 SCENE, HALF, HIGH, G = "block-rocking", 0.125, 0.5, 9.81
@@ -35,11 +35,11 @@ def run() -> Findings:
     swings = np.interp(BETWEEN, time, energy)
     halfway = 0.5 * (swings[1:] + swings[:-1])
     for number, (limit, wanted) in enumerate(zip(halfway, IMPACTS, strict=True), 1):
-        findings.check(f"time of impact {number}", "s", float(time[energy > limit][-1]), wanted, "closed form", 1e-2,
-                       3e-3, "springs give way, and dashpots stretch each impact")  # fmt: skip
+        tolerance = Tolerance(1e-2, 3e-3, "springs give way, and dashpots stretch each impact")
+        findings.check(f"time of impact {number}", "s", time[energy > limit][-1], wanted, tolerance)
     for number, left in enumerate(np.sqrt(swings[1:] / swings[:-1]), 1):
-        findings.check(f"spin left by impact {number}, over that before", "1", float(left), KEPT, "closed form", 1e-2,
-                       3e-3, "critical dashpots; the block turns a little in each impact")  # fmt: skip
+        tolerance = Tolerance(1e-2, 3e-3, "critical dashpots; the block turns a little in each impact")
+        findings.check(f"spin left by impact {number}, over that before", "1", left, KEPT, tolerance)
     before = swings[0] * KEPT ** (2.0 * np.arange(3))
     findings.plot("Energy of a rocking block", "time (s)", "energy above that of standing (J)",
                   Line("run", time, energy),

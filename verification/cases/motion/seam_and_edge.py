@@ -13,7 +13,7 @@ smaller. What leaves with dA is 1 / A of it, whatever the step: (mu W)^2 / (2 k_
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.fixtures.dry_blocks import DENSITY, G, box
 from verification.scene_runs import result_of
 
@@ -52,23 +52,24 @@ def run() -> Findings:
     rows = result.history.rows
     travel, off = rows["displacement"], np.abs(rows["force"] - limit)
     moving = (travel > 0.03) & (travel < 0.19)
-    findings.check("force on either slab and over the seam", "N", float(off[moving].max()), 0.0, "closed form",
-                   1e-9, 2e-10, "friction is the weight's on any patch", scale=limit)  # fmt: skip
-    findings.check("greatest force of all steps", "N", float(result.summary["peak_force_n"]), limit, "closed form",
-                   1e-9, 2e-10, "no edge is felt at any step")  # fmt: skip
+    tolerance = Tolerance(1e-9, 2e-10, "friction is the weight's on any patch")
+    findings.check("force on either slab and over the seam", "N", off[moving].max(), 0.0, tolerance, scale=limit)
+    tolerance = Tolerance(1e-9, 2e-10, "no edge is felt at any step")
+    findings.check("greatest force of all steps", "N", result.summary["peak_force_n"], limit, tolerance)
     no_blow(findings, flat, limit)
-    findings.check("dissipated by friction", "J", float(rows["friction"][-1]), limit * float(rows["displacement"][-1]),
-                   "closed form", 3e-4, 1e-4, "mu W s, less what the shear springs hold before it slides")  # fmt: skip
+    tolerance = Tolerance(3e-4, 1e-4, "mu W s, less what the shear springs hold before it slides")
+    value = rows["friction"][-1]
+    findings.check("dissipated by friction", "J", value, limit * float(rows["displacement"][-1]), tolerance)
     lost = float(rows["redetection"][-1] + abs(rows["area"][-1]))
-    findings.at_most("lost at re-detection and by areas, over friction", "1", lost / float(rows["friction"][-1]), 1e-6,
-                     "points pass on what they hold")  # fmt: skip
+    quantity = "lost at re-detection and by areas, over friction"
+    findings.at_most(quantity, "1", lost / float(rows["friction"][-1]), 1e-6, "points pass on what they hold")
     leave_with_area(findings, limit)
     free = {"specimen.box": boxes(0.1), "support": supports(), **KNOBS}
     rows = findings.note("over the edge", result_of(SCENE, free)).history.rows
     tipped = np.flatnonzero(rows["z"] < -1e-3 * SIZE[2])
     at = float(rows["displacement"][tipped[0]]) if len(tipped) else np.inf
-    findings.check("way of the centre at which it topples", "m", at, EDGE - 0.1, "closed form", 3e-2, 1e-2,
-                   "its fall takes a while to be seen, at 0.5 m/s", scale=EDGE - 0.1)  # fmt: skip
+    tolerance = Tolerance(3e-2, 1e-2, "its fall takes a while to be seen, at 0.5 m/s")
+    findings.check("way of the centre at which it topples", "m", at, EDGE - 0.1, tolerance, scale=EDGE - 0.1)
     findings.plot("A block pushed over an edge", "way (mm)", "force over weight (1)",
                   Line("run", rows["displacement"] * 1e3, rows["force"] / limit * FRICTION))  # fmt: skip
     return findings
@@ -79,9 +80,11 @@ def no_blow(findings: Findings, flat: dict[str, object], limit: float) -> None:
     for pressure in (0.1, 1.0):
         load = {"on": "block.z+", "stress": {"z": f"-{pressure} MPa"}}
         pressed = findings.note(f"under {pressure:g} MPa", result_of(SCENE, flat | {"traction": [load]}))
-        findings.check(f"greatest force under {pressure:g} MPa", "N", float(pressed.summary["peak_force_n"]),
-                       limit + FRICTION * pressure * 1e6 * SIZE[0] * SIZE[1], "closed form", 1e-9, 2e-10,
-                       "an edge that is only sunk meets nothing")  # fmt: skip
+        tolerance = Tolerance(1e-9, 2e-10, "an edge that is only sunk meets nothing")
+        reference = limit + FRICTION * pressure * 1e6 * SIZE[0] * SIZE[1]
+        findings.check(
+            f"greatest force under {pressure:g} MPa", "N", pressed.summary["peak_force_n"], reference, tolerance
+        )
 
 
 def leave_with_area(findings: Findings, limit: float) -> None:
@@ -95,10 +98,10 @@ def leave_with_area(findings: Findings, limit: float) -> None:
         left = SIZE[1] * (EDGE - 0.1 + 0.5 * SIZE[0] - float(rows["displacement"][-1]))
         known = limit**2 / (2e9 * ks) * (1.0 / left - 1.0 / (SIZE[0] * SIZE[1]))
         lost, normal = float(rows["redetection"][-1]), abs(float(rows["area"][-1]))
-        findings.check(f"shear energy that leaves with the area{word}", "J", lost, known, "closed form", 1e-2, 5e-3,
-                       "patches are cut anew at each hundredth of their size")  # fmt: skip
-        findings.at_most(f"normal energy that does{word}", "J", normal, 1e-9 * known,
-                         "a patch that is alone holds what it held")  # fmt: skip
+        tolerance = Tolerance(1e-2, 5e-3, "patches are cut anew at each hundredth of their size")
+        findings.check(f"shear energy that leaves with the area{word}", "J", lost, known, tolerance)
+        reason = "a patch that is alone holds what it held"
+        findings.at_most(f"normal energy that does{word}", "J", normal, 1e-9 * known, reason)
 
 
 CASE = Case(

@@ -16,7 +16,7 @@ import numpy as np
 
 from geometry.polyhedra.measures import bounds
 from masonry.laboratory.result import Result
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import assembled, load, result_of
 
 ROLLERS = {
@@ -70,11 +70,11 @@ def compare(findings: Findings, name: str, small: Result, large: Result) -> None
     share = square * block * joint.normal_stiffness / joint.tensile_strength
     before, after = small.history.frames[-1], large.history.frames[-1]
     gaps = [float(np.abs(getattr(before, key) - getattr(after, key)).max()) for key in ("opening", "slip")]
-    findings.check(f"{name}: gaps, over theta^2 times the length of the wall", "1", max(gaps) / (square * wall), 0.0,
-                   "invariance", 1.0, 0.5, "theta^2 r / 2 at most, r no longer than the wall", 1.0)  # fmt: skip
-    findings.at_most(
-        f"{name}: openings or slips that are the same", "1", gaps.count(0.0), 0, "these are two kinds of motion"
-    )
+    tolerance = Tolerance(1.0, 0.5, "theta^2 r / 2 at most, r no longer than the wall", "invariance")
+    value = max(gaps) / (square * wall)
+    findings.check(f"{name}: gaps, over theta^2 times the length of the wall", "1", value, 0.0, tolerance, scale=1.0)
+    reason = "these are two kinds of motion"
+    findings.at_most(f"{name}: openings or slips that are the same", "1", gaps.count(0.0), 0, reason)
     strong = [bool(load(name).contact_of(group).cohesion) for group in large.joint_groups]  # rollers only press
     cracked = int((np.array(strong)[large.joint_group] & ((before.damage > 0.9) != (after.damage > 0.9))).sum())
     findings.at_most(f"{name}: contacts cracked in one alone", "1", cracked, 0, "the crack is the same")

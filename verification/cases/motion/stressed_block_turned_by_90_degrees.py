@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from masonry.configuration import energy
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import assembled, result_of
 
 SCENE, YOUNG, POISSON, DENSITY = "brick-in-flight", 1e8, 0.2, 2000.0
@@ -66,10 +66,9 @@ def put_there(findings: Findings) -> None:
         rows = np.array([stress[i, j] for i, j in ORDER])
         off.append(np.abs(seen.stress[0] - rows).max() / np.abs(stress).max())
         apart.append(seen.elastic_blocks / stored - 1.0)
-    findings.check("stress, as it lies and turned about x, y and z", "1", max(off), 0.0, "closed form", 1e-12, 1e-13,
-                   "products of matrices", scale=1.0)  # fmt: skip
-    findings.check("energy, in the same places", "1", float(np.abs(apart).max()), 0.0, "closed form", 1e-12, 1e-13,
-                   "products of matrices", scale=1.0)  # fmt: skip
+    tolerance = Tolerance(1e-12, 1e-13, "products of matrices")
+    findings.check("stress, as it lies and turned about x, y and z", "1", max(off), 0.0, tolerance, scale=1.0)
+    findings.check("energy, in the same places", "1", np.abs(apart).max(), 0.0, tolerance, scale=1.0)
 
 
 def spinning(findings: Findings) -> None:
@@ -84,11 +83,10 @@ def spinning(findings: Findings) -> None:
     rows = findings.note("spinning", result_of(SCENE, knobs)).history.rows
     energy = rows["kinetic"] + rows["elastic_blocks"]
     drift = float(np.ptp(energy[1:]) / energy[1])
-    findings.check("energy of its motion and of its stress", "1", drift, 0.0, "closed form", 4e-7, 5e-8,
-                   "the step is of second order in the frequency of the swing", scale=1.0)  # fmt: skip
-    findings.at_most(
-        "less than the stretch of the spin stores", "J", 0.0, float(rows["elastic_blocks"].max()), "it is stretched"
-    )
+    tolerance = Tolerance(4e-7, 5e-8, "the step is of second order in the frequency of the swing")
+    findings.check("energy of its motion and of its stress", "1", drift, 0.0, tolerance, scale=1.0)
+    reason = "it is stretched"
+    findings.at_most("less than the stretch of the spin stores", "J", 0.0, rows["elastic_blocks"].max(), reason)
 
 
 def run() -> Findings:

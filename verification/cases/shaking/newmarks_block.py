@@ -11,7 +11,7 @@ Reference: Newmark (1965), Geotechnique 15, 139; the areas by hand.
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import result_of
 
 G, A0, MU, PERIOD = 9.80665, 0.5, 0.2, 1.0
@@ -42,17 +42,18 @@ def run() -> Findings:
         curves[words] = result.history.rows
     begin, end, wanted = slip()
     (inertia, base) = (rows["slip"] for rows in curves.values())
-    findings.check("slip at the end", "m", -float(inertia[-1]), wanted, "closed form", 1e-4, 1e-5, WHY)
+    findings.check("slip at the end", "m", -float(inertia[-1]), wanted, Tolerance(1e-4, 1e-5, WHY))
     away = float(np.abs(inertia - base).max())
-    findings.check("slip with a table that moves, against forces of inertia", "m", away, 0.0, "invariance",
-                   1e-11, 1e-12, "both have the velocity of the ground in the middle of each step: rounding",
-                   wanted)  # fmt: skip
+    tolerance = Tolerance(
+        1e-11, 1e-12, "both have the velocity of the ground in the middle of each step: rounding", "invariance"
+    )
+    findings.check("slip with a table that moves, against forces of inertia", "m", away, 0.0, tolerance, scale=wanted)
     rows = curves["forces of inertia"]
     since = rows["time"] - rows["time"][-1] + 1.0
     moving = since[np.abs(np.gradient(rows["slip"], rows["time"])) > 1e-3]
     why = "between two rows, of which there are 200 a second"
-    findings.check("begin of the slip", "s", float(moving[0]), begin, "closed form", 1e-2, 4e-3, why, 1.0)
-    findings.check("end of the slip", "s", float(moving[-1]), end, "closed form", 1e-2, 4e-3, why, 1.0)
+    findings.check("begin of the slip", "s", moving[0], begin, Tolerance(1e-2, 4e-3, why), scale=1.0)
+    findings.check("end of the slip", "s", moving[-1], end, Tolerance(1e-2, 4e-3, why), scale=1.0)
     findings.plot("Slip", "time (s)", "slip (m)", Line("forces of inertia", since, inertia), Line("table", since, base))
     return findings
 

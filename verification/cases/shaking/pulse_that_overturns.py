@@ -15,7 +15,7 @@ Reference: Housner (1963), Bulletin of the Seismological Society of America 53, 
 
 import numpy as np
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.rocking import RockingBlock, rock
 from verification.scene_runs import result_of
 
@@ -52,8 +52,9 @@ def run() -> Findings:
     lines = []
     for q, known in KNOWN.items():
         wanted, length = threshold(q), pulse_length(q)
-        findings.at_most(f"q = {q:g}: threshold of the equation off the number that is known", "1", abs(wanted - known),
-                         2e-4, "the last digit that is printed, and the end of the bisection")  # fmt: skip
+        reason = "the last digit that is printed, and the end of the bisection"
+        value = abs(wanted - known)
+        findings.at_most(f"q = {q:g}: threshold of the equation off the number that is known", "1", value, 2e-4, reason)
         low, high = (1.0 - SPAN) * wanted, (1.0 + SPAN) * wanted
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
@@ -67,8 +68,8 @@ def run() -> Findings:
             fallen = float(np.abs(rows["sway"]).max()) > 2.0 * BLOCK.half_width
             lines.append(Line(f"q = {q:g}, {middle:.3f}", rows["time"], rows["sway"]))
             low, high = (low, middle) if fallen else (middle, high)
-        findings.check(f"q = {q:g}: pulse that overturns, in g tan(alpha)", "1", 0.5 * (low + high), wanted,
-                       "converged run", 1e-2, 2e-3, "the bracket, and the stiffness of the floor")  # fmt: skip
+        tolerance = Tolerance(1e-2, 2e-3, "the bracket, and the stiffness of the floor", "converged run")
+        findings.check(f"q = {q:g}: pulse that overturns, in g tan(alpha)", "1", 0.5 * (low + high), wanted, tolerance)
     findings.plot("Sway of the top", "time (s)", "sway (m)", *lines)
     return findings
 

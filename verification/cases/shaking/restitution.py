@@ -8,7 +8,7 @@
 Reference: by hand.
 """
 
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.fixtures.dry_blocks import box, slab
 from verification.scene_runs import result_of
 
@@ -48,8 +48,8 @@ def run() -> Findings:
     for restitution in SHARES:
         for free in (False, True):
             words = f"restitution {restitution:g}, {'between two free blocks' if free else 'on a held slab'}"
-            findings.check(words, "1", kept(findings, restitution, free), restitution, "closed form", 3.5e-4, 1.2e-4,
-                           "of second order in the step, a fifth of the bound")  # fmt: skip
+            tolerance = Tolerance(3.5e-4, 1.2e-4, "of second order in the step, a fifth of the bound")
+            findings.check(words, "1", kept(findings, restitution, free), restitution, tolerance)
     return findings
 
 

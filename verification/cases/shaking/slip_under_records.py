@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from masonry.ground.ground_motion import Motion
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.references.sliding import Slip, slide
 from verification.scene_runs import load, result_of
 
@@ -80,7 +80,7 @@ def level(findings: Findings, name: str, ground: dict[str, Any], friction: float
     most = max(abs(wanted.least), wanted.most)
     worst = max(abs(value - reference) for value, reference in zip(made, wanted, strict=True))
     words = f"{name}: slip at the end, least and most, the worst difference from the exact ones"
-    findings.check(words, "m", worst, 0.0, "converged run", 1.5e-3, 4e-4, WHY, most)
+    findings.check(words, "m", worst, 0.0, Tolerance(1.5e-3, 4e-4, WHY, "converged run"), scale=most)
     return wanted
 
 
@@ -99,7 +99,8 @@ def down_a_slope(findings: Findings, name: str, ground: dict[str, Any], sides: t
         words = f"{name}, {'as it is' if side > 0 else 'mirrored'}, down a slope"
         keys = {"contact.table_units.tan_friction_angle": float(friction), "gravity": gravity}
         value = slips(findings, words, {"ground": mirrored, **keys}).end
-        findings.check(f"{words}: slip", "m", value, wanted, "converged run", 1e-3, 1e-4, WHY, abs(wanted))
+        tolerance = Tolerance(1e-3, 1e-4, WHY, "converged run")
+        findings.check(f"{words}: slip", "m", value, wanted, tolerance, scale=abs(wanted))
         far.append(wanted)
     return far
 

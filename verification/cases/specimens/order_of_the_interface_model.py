@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from skfem import Basis, Functional, asm
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.references.interface.envelopes import Law
 from verification.references.interface.mesh import grids
 from verification.references.interface.model import InterfaceModel, model
@@ -111,9 +111,10 @@ def run() -> Findings:
     errors = {degree: [error(n, degree) for n in CELLS] for degree in (1, 2)}
     for degree, what, order, name in measured:
         values = np.array([getattr(e, what) for e in errors[degree]])
-        findings.check(f"{name}: order of the error", "1", float(np.log2(values[-2] / values[-1])), order,
-                    "closed form", 0.1, 0.03,
-                    "the order of the elements, with what the next power of h still adds on these meshes")  # fmt: skip
+        tolerance = Tolerance(
+            0.1, 0.03, "the order of the elements, with what the next power of h still adds on these meshes"
+        )
+        findings.check(f"{name}: order of the error", "1", np.log2(values[-2] / values[-1]), order, tolerance)
         lines.append(Line(name, h, values))
     findings.plot("Error against the size of elements", "h (mm)", "relative error", *lines, log=True)
     return findings

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from scipy.special import ellipk
 
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import run as run_scene
 
 ANGLE, LENGTH, GRAVITY, WEIGHT = math.radians(60.0), 1.0, 9.81, 2.0 * 9.81
@@ -45,8 +45,8 @@ def run() -> Findings:
     back = np.flatnonzero((across[:-1] < 0.0) & (across[1:] >= 0.0))
     passes = time[back] - across[back] * np.diff(time)[back] / np.diff(across)[back]
     period = 4.0 * float(ellipk(math.sin(ANGLE / 2.0) ** 2)) * math.sqrt(LENGTH / GRAVITY)
-    findings.check("period", "s", float(passes[1] - passes[0]), period, "closed form", 3e-4, 4e-5,
-                   "the bar stretches by 4e-5 of its length, and rows lie 2.5 ms apart")  # fmt: skip
+    tolerance = Tolerance(3e-4, 4e-5, "the bar stretches by 4e-5 of its length, and rows lie 2.5 ms apart")
+    findings.check("period", "s", passes[1] - passes[0], period, tolerance)
     findings.plot("Pendulum", "time (s)", "x (m)", Line("run", time, across))
     caught = FALLS | {
         "support": [{"on": "foot", "fix": "all"}, {"on": "block", "fix": ["x", "y", "rotation"]}],
@@ -60,10 +60,11 @@ def run() -> Findings:
     assert fallen is not None
     findings.note("rope", fallen)
     stretch = (WEIGHT + math.sqrt(WEIGHT**2 + 2.0 * STIFFNESS * WEIGHT * SLACK)) / STIFFNESS
-    findings.check("deepest place of what the rope catches", "m", float(fallen.history.rows["x"].min()),
-                   -(SLACK + stretch), "closed form", 1e-5, 1e-6, "rows, and the step in which it catches")  # fmt: skip
-    findings.check("greatest force of the rope", "N", float(fallen.history.rows["bar"].max()), STIFFNESS * stretch,
-                   "closed form", 1e-4, 1e-5, "as before")  # fmt: skip
+    tolerance = Tolerance(1e-5, 1e-6, "rows, and the step in which it catches")
+    value = fallen.history.rows["x"].min()
+    findings.check("deepest place of what the rope catches", "m", value, -(SLACK + stretch), tolerance)
+    tolerance = Tolerance(1e-4, 1e-5, "as before")
+    findings.check("greatest force of the rope", "N", fallen.history.rows["bar"].max(), STIFFNESS * stretch, tolerance)
     return findings
 
 

@@ -10,7 +10,7 @@ References: by hand; Livesley (1978), as in case limit-analysis.
 """
 
 import masonry
-from verification.case import Case, Findings
+from verification.case import Case, Findings, Tolerance
 from verification.scene_runs import load
 from verification.scene_runs import run as run_scene
 
@@ -26,22 +26,21 @@ def run() -> Findings:
     for scene in ("wall-tied", "arch-on-a-tie"):
         limit = masonry.limit(load(scene))
         if scene == "wall-tied":
-            findings.check("factor of the wall by limit analysis", "1", limit.factor, BY_HAND, "closed form", 1e-9,
-                           2e-10, "the tolerance of the solver")  # fmt: skip
+            tolerance = Tolerance(1e-9, 2e-10, "the tolerance of the solver")
+            findings.check("factor of the wall by limit analysis", "1", limit.factor, BY_HAND, tolerance)
         result = run_scene(scene).result
         assert result is not None
         findings.note(scene, result)
         collapse = result.summary["collapse_load"]
         middle = 0.5 * (collapse["borne"] + collapse["falls"])
-        findings.check(f"load factor of {scene} by a run, beside limit analysis", "1", middle, limit.factor,
-                       "limit analysis", 0.01, 0.003, "the run encloses it to 0.5 %")  # fmt: skip
-        findings.at_most(f"bars of {scene} that do not yield", "1",
-                         float(result.summary["bars"]["count"] - result.summary["bars"]["yielded"]), 0.0,
-                         "all yield as it falls")  # fmt: skip
+        tolerance = Tolerance(0.01, 0.003, "the run encloses it to 0.5 %", "limit analysis")
+        findings.check(f"load factor of {scene} by a run, beside limit analysis", "1", middle, limit.factor, tolerance)
+        value = result.summary["bars"]["count"] - result.summary["bars"]["yielded"]
+        findings.at_most(f"bars of {scene} that do not yield", "1", value, 0.0, "all yield as it falls")
         reactions = result.summary["reactions"]["end"]
         across, weight = (abs(reactions[name]["force_n"][k]) for name, k in (("support.0", 0), ("gravity", 2)))
-        findings.at_most(f"what the left support of {scene} bears along x, over its weight", "1",
-                         across / weight, 0.005, "ties bear all of the thrust, half the weight and more")  # fmt: skip
+        quantity = f"what the left support of {scene} bears along x, over its weight"
+        findings.at_most(quantity, "1", across / weight, 0.005, "ties bear all of the thrust, half the weight and more")
     return findings
 
 

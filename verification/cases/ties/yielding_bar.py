@@ -14,7 +14,7 @@ Reference: by hand.
 import numpy as np
 
 from verification import balance
-from verification.case import Case, Findings, Line
+from verification.case import Case, Findings, Line, Tolerance
 from verification.scene_runs import run as run_scene
 
 STIFFNESS, MOST = 1e6, 1e3
@@ -48,15 +48,15 @@ def run() -> Findings:
             rows = result.history.rows
             force, taken = by_hand(rows["displacement"], least)
             off = float(np.abs(rows["bar"] - force).max())
-            findings.check(f"{name}: force, largest difference", "N", off, 0.0, "closed form", 1e-11, 1e-13,
-                           "the law of now: rounding", MOST)  # fmt: skip
-            findings.check(f"{name}: what yielding took", "J", float(rows["plastic_bars"][-1]), taken, "closed form",
-                           1e-11, 1e-13, "sums of the law: rounding")  # fmt: skip
+            tolerance = Tolerance(1e-11, 1e-13, "the law of now: rounding")
+            findings.check(f"{name}: force, largest difference", "N", off, 0.0, tolerance, scale=MOST)
+            tolerance = Tolerance(1e-11, 1e-13, "sums of the law: rounding")
+            findings.check(f"{name}: what yielding took", "J", rows["plastic_bars"][-1], taken, tolerance)
             stored = 0.5 * float(rows["bar"][-1]) ** 2 / STIFFNESS
-            findings.check(f"{name}: stored at the end", "J", float(rows["elastic_bars"][-1]), stored, "closed form",
-                           1e-13, 1e-15, "one number: rounding", taken)  # fmt: skip
-            findings.at_most(f"{name}: stored and taken less the work, over what was taken", "1",
-                             balance.mismatch(result), 1e-5, "the step in which it begins to yield")  # fmt: skip
+            tolerance = Tolerance(1e-13, 1e-15, "one number: rounding")
+            findings.check(f"{name}: stored at the end", "J", rows["elastic_bars"][-1], stored, tolerance, scale=taken)
+            quantity = f"{name}: stored and taken less the work, over what was taken"
+            findings.at_most(quantity, "1", balance.mismatch(result), 1e-5, "the step in which it begins to yield")
             if displacements == "small":
                 findings.plot(f"Force of the {words}", "elongation (mm)", "force (N)",
                               Line("run", 1e3 * rows["displacement"], rows["bar"]),
