@@ -13,11 +13,6 @@ SCENE, ZETA, SLOPE, FRICTION = "dry-block", 0.2, 25.0, 0.3
 SOUND: tuple[str, ...] = ("OK", "WARNED")
 
 
-def grids(full: bool) -> list[Grid]:
-    """Three maps."""
-    return [impacts(full), sizes(full), masses(full)]
-
-
 def impacts(full: bool) -> Grid:
     """A block that falls flat: what it keeps of its speed depends on neither the speed nor the stiffness."""
     stiffness = (1e7, 1e9, 1e10, 1e11, 1e13) if full else (1e10, 1e13)
@@ -115,3 +110,6 @@ def borne(one: SceneRun) -> dict[str, Exact]:
     end = one.summary["reactions"]["end"]["support.0"]["force_n"][2]
     slab_weight = DENSITY * G * 4.0 * 1.0 * 0.1
     return {"reaction": Exact(end - slab_weight, DENSITY * G * volume * (1.0 + ratio))}
+
+
+GRIDS = (impacts, sizes, masses)

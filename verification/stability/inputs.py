@@ -31,11 +31,6 @@ OTHERS = {
 MAY_BE_ZERO = ("strength", "cohesion", "friction_angle", "slope", "dilation_angle", "confinement", "damping")
 
 
-def grids(full: bool) -> list[Grid]:
-    """Two maps."""
-    return [numbers(full), contradictions()]
-
-
 def numbers(full: bool) -> Grid:
     """Every number of the couplet set to what it cannot be."""
     keys = {**{f"{JOINT}.{key}": unit for key, unit in KEYS.items()}, **OTHERS}
@@ -71,7 +66,10 @@ CONTRADICTIONS: dict[str, Knobs] = {
 }
 
 
-def contradictions() -> Grid:
+def contradictions(full: bool) -> Grid:
     """Input that contradicts itself or leads nowhere."""
     cells = {(row, ""): MapCell(COUPLET, knobs, sheared, ("REFUSED",)) for row, knobs in CONTRADICTIONS.items()}
     return Grid("Input that contradicts itself", "what", "", cells)
+
+
+GRIDS = (numbers, contradictions)

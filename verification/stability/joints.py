@@ -13,11 +13,6 @@ PACED: Knobs = {"drive.accuracy": "1 %"}
 NO_SLOPE = {f"{JOINT}.fracture_energy_mode_2_slope": "0 N/m/MPa"}
 
 
-def grids(full: bool) -> list[Grid]:
-    """Five maps; quick: the ends and the middle of each axis."""
-    return [stiffnesses(full), confinements(full), energies_in_shear(full), energies_in_tension(full), brittle(full)]
-
-
 def stiffnesses(full: bool) -> Grid:
     """Normal stiffness and its ratio to the shear stiffness."""
     normal = [10.0**k for k in range(6, 16)] if full else [1e6, 1e11, 1e15]
@@ -127,3 +122,6 @@ def brittle(full: bool) -> Grid:
         cells["shear", str(steps)] = MapCell(COUPLET, {**common, "drive.displacement": "50 um"}, sheared)
     note = "The elastic energy goes in one step: it is booked to within half a step times the drop."
     return Grid("Brittle contacts", "mode", "steps of the drive", cells, note=note)
+
+
+GRIDS = (stiffnesses, confinements, energies_in_shear, energies_in_tension, brittle)

@@ -1,6 +1,8 @@
 """Motion: the time step up to its bound and beyond, the rate of the drive, and ten million steps."""
 
 import math
+import time
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -21,12 +23,8 @@ SIDEWAYS = ["x", "y", "rotation"]
 GUIDED = [{"on": "end", "fix": "all"}, {"on": "top", "fix": SIDEWAYS}] + [
     {"on": f"b{k}", "fix": SIDEWAYS} for k in range(1, BLOCKS - 1)
 ]
+SWINGING: Knobs = {**chain_of((0.1,) * 3), "solver.masses": "real", "solver.damping": 0}
 DAMPING: dict[str, Knobs] = {"damping 0.8": {}, "damping 0": {"solver.damping": 0}}
-
-
-def grids(full: bool) -> list[Grid]:
-    """Four maps."""
-    return [fractions(full), true_limits(full), rates(full), endurance(full)]
 
 
 def fractions(full: bool) -> Grid:
@@ -84,11 +82,11 @@ def rates(full: bool) -> Grid:
 def endurance(full: bool) -> Grid:
     """One free block on its springs, undamped, for up to ten million steps."""
     counts = (10**4, 10**5, 10**6, 10**7) if full else (10**4,)
-    knobs = {**chain_of((0.1,) * 3), "solver.masses": "real", "solver.damping": 0}
-    cells = {}
-    for count in counts:
-        for row, compare in (("energy", _energy), ("place", _place)):
-            cells[row, f"{count:.0e}"] = MapCell(CHAIN, knobs, compare, ("OK",), _Swing(count, knobs))
+    cells = {
+        (row, f"{count:.0e}"): MapCell(CHAIN, SWINGING, compare, ("OK",), partial(swing, count))
+        for count in counts
+        for row, compare in (("energy", _energy), ("place", _place))
+    }
     note = (
         "Energy: the largest change of v(n-1/2) M v(n+1/2)/2 + k q^2/2 at any of 1000 looks. Place: against the exact "
         "solution of the leapfrog scheme, whose steps turn the phase by arccos(1 - (w dt)^2/2)."
@@ -96,29 +94,14 @@ def endurance(full: bool) -> Grid:
     return Grid("Ten million steps", "quantity", "steps", cells, "exact solution of the scheme", note)
 
 
-class _Swing:
-    """Makes the run of an undamped free swing along z; done once for both rows."""
-
-    made: dict[int, SceneRun] = {}
-
-    def __init__(self, count: int, knobs: Knobs) -> None:
-        self.count, self.knobs = count, knobs
-
-    def __call__(self) -> SceneRun:
-        if self.count not in self.made:
-            self.made[self.count] = swing(self.count, self.knobs)
-        return self.made[self.count]
-
-
-def swing(count: int, knobs: Knobs) -> SceneRun:
+@cache
+def swing(count: int) -> SceneRun:
     """The free block starts with a velocity; `count` steps without loads, looked at about a thousand times."""
-    import time
-
-    model = assemble(load(CHAIN, knobs)).model
+    model = assemble(load(CHAIN, SWINGING)).model
     body = model.bodies.rigid
     free = int(np.flatnonzero(body.dt_over_mass[:, 2])[0])
     mass = model.masses["rigid"][free, 2]
-    stiffness = 2.0 * joint_of(CHAIN, knobs).kn * 0.01
+    stiffness = 2.0 * joint_of(CHAIN, SWINGING).kn * 0.01
     body.v[free, 2] = speed = 1e-4
     looks = min(1000, count // 10)
     each = count // looks
@@ -138,7 +121,7 @@ def swing(count: int, knobs: Knobs) -> SceneRun:
     rows = {"energy": energies, "place": np.array([body.q[free, 2], exact, reach])}
     summary: dict[str, Any] = {"steps": count, "energy_imbalance": float(np.ptp(energies) / energies.mean())}
     needed = {"reaction_mismatch_max": 0.0, "kinetic_over_internal_max": 0.0}
-    return SceneRun(CHAIN, knobs, rows=rows, summary=summary | needed, times=[seconds])
+    return SceneRun(CHAIN, SWINGING, rows=rows, summary=summary | needed, times=[seconds])
 
 
 def _energy(one: SceneRun) -> dict[str, Exact]:
@@ -150,3 +133,6 @@ def _energy(one: SceneRun) -> dict[str, Exact]:
 def _place(one: SceneRun) -> dict[str, Exact]:
     place, exact, reach = one.rows["place"]
     return {"place": Exact(float(place), float(exact), float(reach))}
+
+
+GRIDS = (fractions, true_limits, rates, endurance)

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from verification.fixtures.dry_blocks import box
 from verification.references.closed_forms import Joint
 from verification.scene_runs import joint_of
 
@@ -38,11 +39,6 @@ def slid(name: str, knobs: Knobs, sigma: float = 0.5e6) -> Knobs:
         "solver.slip_limit": 100,
         **knobs,
     }  # the law is judged, not the joint
-
-
-def box(name: str, low: tuple[float, float, float], size: tuple[float, float, float], unit: int) -> dict[str, Any]:
-    """An item of specimen.box; metres."""
-    return {"name": name, "origin": [f"{x!r} m" for x in low], "size": [f"{x!r} m" for x in size], "unit": unit}
 
 
 def pair_of(low: float, top: float) -> Knobs:

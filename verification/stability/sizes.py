@@ -7,11 +7,6 @@ from verification.stability.scenes import CHAIN, PAIR, Knobs, chain_of, pair_of
 PULLED: Knobs = {"drive.steps": 12000, "solver.rows": 200}
 
 
-def grids(full: bool) -> list[Grid]:
-    """Three maps."""
-    return [ratios(full), slivers(full), densities(full)]
-
-
 def ratios(full: bool) -> Grid:
     """A cube of 1 m and one of down to 1e-6 m."""
     edges = [10.0**-k for k in range(7)] if full else [1.0, 1e-6]
@@ -49,3 +44,6 @@ def densities(full: bool) -> Grid:
                 CHAIN, knobs | {"material.units.density": f"{density:g} kg/m^3"}, torn
             )
     return Grid("Density", "masses", "density [kg/m3]", cells)
+
+
+GRIDS = (ratios, slivers, densities)

@@ -5,10 +5,11 @@ import numpy as np
 from geometry.blocks import Blocks
 from geometry.joints.find import find_joints
 from geometry.polyhedra.construct import from_faces
+from verification.fixtures.dry_blocks import box
 from verification.scene_runs import SceneRun
 from verification.stability.cells import Exact, Grid, MapCell
 from verification.stability.references import sheared
-from verification.stability.scenes import PAIR, Knobs, box
+from verification.stability.scenes import PAIR, Knobs
 
 LOW, TOP = box("low", (0.0, 0.0, 0.0), (1.0,) * 3, 0), box("top", (0.0, 0.0, 1.0), (1.0,) * 3, 1)
 HELD: list[Knobs] = [{"on": "low", "fix": "all"}, {"on": "top", "fix": ["y", "rotation"]}]
@@ -16,8 +17,8 @@ ALSO_HELD: list[Knobs] = [*HELD, {"on": "third", "fix": "all"}]
 FAST: Knobs = {"drive.steps": 5000, "solver.rows": 200}
 
 
-def grids(full: bool) -> list[Grid]:
-    """One map."""
+def third_blocks(full: bool) -> Grid:
+    """A third block in odd places, and a face that is there twice."""
     beside, apart, far = (2.0, 0.0, 0.0), (0.0, 0.0, 2.0 + 1e-6), (1e5, 0.0, 0.0)
     into, edge, corner = (0.0, 0.0, 1.9), (1.0, 0.0, -1.0), (1.0, 1.0, -1.0)
     cells = {
@@ -30,7 +31,7 @@ def grids(full: bool) -> list[Grid]:
         ("in a corner: no area", ""): _third(corner, ALSO_HELD, ("OK",)),
         ("a face that is there twice", ""): MapCell(PAIR, {}, _area, ("OK",), face_twice),
     }
-    return [Grid("Blocks that touch oddly", "third block, or face", "", cells)]
+    return Grid("Blocks that touch oddly", "third block, or face", "", cells)
 
 
 def _third(origin: tuple[float, float, float], support: list[Knobs], must: tuple[str, ...]) -> MapCell:
@@ -65,3 +66,6 @@ def _stacked() -> Blocks:
 
     below = cube(0.0)
     return from_faces([[*below, below[1]], cube(1.0)], [0, 1], [0, 0], ["units"])
+
+
+GRIDS = (third_blocks,)

@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judgement_of
-from verification.stability.scenes import Knobs, box
+from verification.fixtures.dry_blocks import box
+from verification.stability.scenes import Knobs
 
 WALL, BLOCK = "mortared-wall", "block-bent-at-its-bed"
 ENOUGH = 12
