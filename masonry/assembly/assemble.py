@@ -23,7 +23,7 @@ from masonry.assembly.masses import density_of, moving_density_of
 from masonry.assembly.scattered_laws import Drawn, draw, laws_of
 from masonry.assembly.schedule import plan_of, uniform_ground
 from masonry.assembly.size_limits import require_sane_size
-from masonry.assembly.specimens import as_turned, blocks_from, specimen_of
+from masonry.assembly.specimens import as_turned, specimen_of
 from masonry.configuration.setting_off import begin
 from masonry.errors import SceneError, nearest
 from masonry.ground.uniform_ground import UniformGround
@@ -196,7 +196,7 @@ def joined(scene: Scene) -> tuple[Specimen, Joints]:
     points = scene.contact_points, scene.points_per_edge or 2, spec.points_per_face, spec.contact_spacing
     if specimen.joints is not None:  # overlaps were looked at as these were laid
         return specimen, stated_joints(specimen.joints, Density(*points))
-    if spec.kind == "file":  # the others were looked at as they were built
+    if spec.made_elsewhere:  # the others were looked at as they were built
         overlaps.check_overlaps(specimen.blocks, allowed=specimen.overlap)
     return specimen, find_joints(specimen.blocks, *points)
 
@@ -207,10 +207,10 @@ def meshed(scene: Scene, blocks: Blocks, joints: Joints) -> tuple[TetMesh | None
     if not wanted.any():
         return None, joints
     spec = scene.specimen
-    if spec.kind == "file" and not spec.is_divided and (own := blocks_from(spec)[1]) is not None:
+    if (brought := spec.own_mesh) is not None:
         from geometry.meshes.nonmatching import surface_joints
 
-        own = mesh_by_place(own, blocks_from(spec)[0].blocks) if scene.is_large else own
+        own = mesh_by_place(*brought) if scene.is_large else brought[0]
         own = with_empty_blocks(replace(own, nodes=as_turned(scene, own.nodes)), blocks)
         mesh = within(own, wanted)
         if np.all(wanted == (np.diff(mesh.tet_start) > 0)):

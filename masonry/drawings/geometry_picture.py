@@ -21,11 +21,10 @@ from masonry.pictures.overlays.element_lines import draw_elements, element_keys
 from masonry.pictures.style import plain, write_picture
 from masonry.runtime.named_file import require_picture
 from masonry.scene import Scene
+from masonry.scene.tables.specimen import table_of
 
 WIDTH = 9.0
 """Of the picture, inches."""
-IN_SPACE = ("vault", "dome", "multi-leaf")
-"""Shapes of specimens that the front does not show."""
 
 
 def draw_geometry(scene: Scene, path: Path, view: str | None = None) -> Path:
@@ -49,7 +48,7 @@ def camera_for(scene: Scene, specimen: Specimen, view: str | None) -> Camera:
     if view is None:
         toward = camera_of("front", specimen).toward
         across = any(abs(toward @ direction) > 0.5 for direction in _directions(scene))
-        view = "iso" if across or specimen.shape in IN_SPACE else "front"
+        view = "iso" if across else table_of(specimen.shape).usual_view
     return camera_of(view, specimen)
 
 

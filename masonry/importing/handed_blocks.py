@@ -13,7 +13,7 @@ from masonry.errors import SceneError, nearest
 from masonry.importing.block_writing import specimen_of_bodies
 from masonry.importing.named_sets import section_of, sets_of
 from masonry.scene import Scene, load
-from masonry.scene.tables.specimen import FileSpec
+from masonry.scene.tables.specimens.blocks_file import FileSpec
 
 BODIES = "blocks"
 OF_BODIES = ("names", "groups", "units", "tolerance", "open_gaps")

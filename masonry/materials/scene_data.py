@@ -37,7 +37,7 @@ def _divisions(scene: Scene, data: ContactData) -> int:
     """Blocks in the height of a unit; one where no contacts are within units."""
     if "within_units" not in scene.contact:
         return 1
-    if getattr(scene.specimen, "cells", None) is not None:
+    if scene.specimen.has_cells:
         if data.divisions is None:
             raise SceneError(
                 f"{data.name('divisions')}: missing; the units of scene '{scene.name}' are cells: give the height of a "
@@ -50,18 +50,14 @@ def _divisions(scene: Scene, data: ContactData) -> int:
 
 def _heights(scene: Scene, data: ContactData) -> dict[str, str]:
     """Of unit and joint, from the height of a course in the scene; what the user said must fit it."""
-    specimen, joint = scene.specimen, getattr(scene.specimen, "joint_thickness", 0.0)
-    if specimen.kind in ("couplet", "prism"):
-        course = specimen.height
-    elif hasattr(specimen, "unit_height"):
-        course = specimen.unit_height + joint
-    elif data.unit_height is None:
+    course, joint = scene.specimen.course_height, getattr(scene.specimen, "joint_thickness", 0.0)
+    if course is None:
+        if data.unit_height is not None:
+            return {}
         raise SceneError(
             f"{data.name('unit_height')}: missing; scene '{scene.name}' has no courses: give the size of a unit "
             "across its joints"
         )
-    else:
-        return {}
     dry = data.is_dry
     thickness = 0.0 if dry else data.joint or joint or course - (data.unit_height or course)
     unit = data.unit_height or course - thickness

@@ -9,13 +9,12 @@ import numpy as np
 
 from geometry.blocks import Blocks, Specimen
 from geometry.specimens.placed import FLOOR
+from masonry.scene.tables.specimen import table_of
 
 if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 VIEWS = ("front", "back", "side", "iso")
-UPRIGHT = ("arch", "bridge", "vault", "dome", "wall", "multi-leaf", "tower")
-"""Shapes of specimens that are seen along y however deep they are."""
 AZIMUTH, ELEVATION = np.radians(-55.0), np.radians(25.0)
 """From where "iso" looks, as matplotlib counts these angles."""
 FALLS = 0.1
@@ -112,14 +111,14 @@ def box_of(camera: Camera, blocks: Blocks, moved: Sequence[np.ndarray], times: f
 
 
 def front_view(points: np.ndarray, shape: str = "", right: int | None = None) -> Camera:
-    """Onto the two largest extents of points (P, 3); onto x and z where extents tie, and for UPRIGHT shapes.
+    """Onto the two largest extents of points (P, 3); onto x and z where extents tie, and for shapes seen along y.
 
     right  the axis that is seen to the right, with z upwards; None for that of the extents
     """
     extent = np.ptp(points, axis=0)
     preference = np.array([2e-9, 0.0, 1e-9]) * extent.max()
     largest = sorted(np.argsort(-(extent + preference))[:2].tolist())
-    across, up = np.eye(3)[[0, 2] if shape in UPRIGHT else largest if right is None else [right, 2]]
+    across, up = np.eye(3)[[0, 2] if table_of(shape).seen_along_y else largest if right is None else [right, 2]]
     return Camera(across, up, np.cross(across, up), float(extent.max()))
 
 

@@ -12,7 +12,7 @@ from masonry.scene.lines import split_key
 from masonry.scene.schema import SceneData
 from masonry.scene.source import Source
 from masonry.scene.tables.law_keys import contact_class
-from masonry.scene.tables.specimen import kinds
+from masonry.scene.tables.specimen import TABLES
 from masonry.scene.tables.types import Given, KeyedError
 from masonry.scene.variant import Keys
 
@@ -24,7 +24,7 @@ MISSING = ("missing", "missing_argument")
 QUOTED = r"'([^']+)'"
 HINTS = {
     "law": "name the law here or once at the top of the file: law = 'exponential'",
-    "specimen": f"give a table [specimen] with a kind: {', '.join(kinds())}",
+    "specimen": f"give a table [specimen] with a kind: {', '.join(TABLES)}",
     "material": "give a table [material.units] with a density",
     "contact": "give a table [contact.unit_unit] with stiffnesses and strengths",
 }
@@ -85,7 +85,7 @@ def _line(error: ErrorDetails, source: Source) -> str:
 def _in_file(loc: Keys, raw: Any) -> Keys:
     """The path as the file has it: without pydantic's own steps, and ending where the file ends."""
     path: Keys = ()
-    if len(loc) > 1 and loc[0] == "specimen" and loc[1] in kinds():
+    if len(loc) > 1 and loc[0] == "specimen" and loc[1] in TABLES:
         loc = (loc[0], *loc[2:])
     for part in loc:
         if not isinstance(raw, (dict, list)) or part == "[key]":
@@ -111,9 +111,9 @@ def _text(error: ErrorDetails, loc: Keys, name: str, raw: Any) -> str:
     if kind in MISSING:
         return f"missing{_hint(loc, name, raw)}"
     if kind == "union_tag_not_found":
-        return f"missing; allowed: {', '.join(kinds())}"
+        return f"missing; allowed: {', '.join(TABLES)}"
     if kind == "union_tag_invalid":
-        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], kinds())}; {OWN_BLOCKS}"
+        return f"'{ctx['tag'][:60]}' is not allowed; {_choice(ctx['tag'], list(TABLES))}; {OWN_BLOCKS}"
     if kind == "literal_error":
         return f"{shown} is not allowed; {_choice(shown, re.findall(QUOTED, ctx['expected']))}"
     return PLAIN[kind].format(shown=shown, name=name, **ctx) if kind in PLAIN else error["msg"][:200]

@@ -113,7 +113,7 @@ class SceneData(Table):
         if self.chooses_points:
             return self.specimen.points_per_edge
         at_edges, crushes = self.contact_points == "vertex", any(one.crushing for one in self.contact.values())
-        if crushes and getattr(self.specimen, "cells", None) is None:
+        if crushes and not self.specimen.has_cells:
             along, across = (10, 4) if at_edges else (6, 2)
             return PerAxis(along, along if self.acts_along_y else across, along)
         return PerAxis(4, 4, 4) if self.is_large and at_edges else self.specimen.points_per_edge
@@ -342,7 +342,7 @@ class SceneData(Table):
                     motion = self.kinematics_of(group)
                     raise KeyedError(f"material.{group}.{key}", f"missing; kinematics '{motion}' of {group} needs it")
             sized = self.specimen.mesh == "fan" or self.specimen.mesh_size is not None
-            if self.is_meshed(group) and not sized and self.specimen.kind != "file":
+            if self.is_meshed(group) and not sized and not self.specimen.made_elsewhere:
                 raise KeyedError(
                     "specimen.mesh_size",
                     f"missing; kinematics 'tets' of {group} needs it: mesh_size = '25 mm', or mesh = 'fan'",

@@ -1,9 +1,11 @@
 """Division of a specimen into cells in a scene: their number or size, relative sizes, seeds."""
 
+from collections.abc import Sequence
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, StrictBool, model_validator
 
+from geometry.cells.request import CellRequest
 from masonry.scene.tables.types import CellCount, KeyedError, Length, Number, Position, RelativeSize, Spread, Table
 
 AMOUNTS = ("total", "per_unit", "size")
@@ -25,6 +27,13 @@ class CellsTable(Table):
     sites: Annotated[tuple[tuple[Position, Position, Position], ...], Field(min_length=1)] | None = None
     seed: Number = 0
     regularise: StrictBool = True
+
+    @property
+    def request(self) -> CellRequest:
+        """The request for the division."""
+        plain = ("total", "per_unit", "size", "spread", "sizes", "sites", "seed", "regularise")
+        sizes = {key: getattr(self, key) for key in plain}
+        return CellRequest(**sizes, space=self.form == "space", laguerre=self.kind == "laguerre")
 
     @model_validator(mode="after")
     def _fits_together(self) -> "CellsTable":
@@ -50,3 +59,9 @@ def exclude(table: Any) -> None:
     """A part of a specimen is divided into a grid or into cells, not into both."""
     if table.cells is not None and any(n > 1 for n in table.divisions):
         raise KeyedError("cells", "divisions and cells exclude each other; leave divisions out")
+
+
+def filling_of(table: Any) -> Sequence[int] | CellRequest:
+    """Blocks along each axis, or the cells that a table asks for."""
+    divisions: Sequence[int] = table.divisions
+    return divisions if table.cells is None else table.cells.request

@@ -1,23 +1,20 @@
 """Tables of a scene for its specimen: kind and size. Lengths in m, areas in m2."""
 
 from collections import Counter
-from pathlib import Path
-from typing import Annotated, Literal, get_args
+from math import prod
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import Field, model_validator
 
-from masonry.scene.tables.cells import CellsTable, exclude
-from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.specimens.structures import (
-    ArchSpec,
-    BridgeSpec,
-    ColumnSpec,
-    DomeSpec,
-    MultiLeafSpec,
-    TowerSpec,
-    VaultSpec,
-    WallSpec,
-)
+from geometry.specimens.bending import bending
+from geometry.specimens.boxes import boxes
+from geometry.specimens.stacked import couplet, prism
+from geometry.specimens.wallette import wallette
+from masonry.scene.tables.cells import CellsTable, exclude, filling_of
+from masonry.scene.tables.specimens.arches_and_domes import ArchOrDome
+from masonry.scene.tables.specimens.blocks_file import FileSpec
+from masonry.scene.tables.specimens.common import Divided, SpecimenTable, count_of_parts
+from masonry.scene.tables.specimens.walls_and_columns import WallOrColumn
 from masonry.scene.tables.types import Area, Count, Gap, Halves, KeyedError, Length, Number, Position, SetName, Table
 
 
@@ -36,15 +33,54 @@ class _Stack(SpecimenTable, Divided):
     mortar: Mortar | None = None
     plates: Length | None = None
 
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder."""
+        if name == "divisions":
+            return filling_of(self)
+        if name == "mortar":
+            return self.mortar and (self.mortar.thickness, filling_of(self.mortar))
+        return super().argument(name)
+
+    @property
+    def course_height(self) -> float:
+        """m, of a unit."""
+        return self.height
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        units = getattr(self, "units", 2)
+        return units, units * self.length * self.width * self.height, self.width
+
+    @property
+    def blocks_and_volume(self) -> tuple[float, float]:
+        """About how many blocks, those of beds too, and the volume (m3) of the units."""
+        blocks, volume = super().blocks_and_volume
+        if self.mortar is None:
+            return blocks, volume
+        beds = self.amount[0] - 1
+        of_beds = beds * self.length * self.width * self.mortar.thickness
+        return blocks + count_of_parts(self.mortar, beds, of_beds, self.width), volume
+
+    @property
+    def all_cells(self) -> tuple[CellsTable, ...]:
+        """The tables of cells of all its parts that have one."""
+        beds = self.mortar.cells if self.mortar is not None else None
+        return super().all_cells if beds is None else (*super().all_cells, beds)
+
 
 class CoupletSpec(_Stack):
     """Two units."""
+
+    builder = staticmethod(couplet)
 
     kind: Literal["couplet"]
 
 
 class PrismSpec(_Stack):
     """Any number of units."""
+
+    builder = staticmethod(prism)
 
     kind: Literal["prism"]
     units: Count = 3
@@ -62,9 +98,21 @@ class _Wall(SpecimenTable):
     joint_thickness: Gap = 0.0
     bond: Literal["running", "stack", "header", "english", "flemish"] = "running"
 
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder."""
+        return filling_of(self) if name == "divisions" else super().argument(name)
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        units = self.courses * self.units_per_course
+        return units, units * self.unit_length * self.thickness * self.unit_height, self.thickness
+
 
 class WalletteSpec(_Wall):
     """A plane wall between plates, on a base and under a beam; divisions (nx, nz) of a whole unit."""
+
+    builder = staticmethod(wallette)
 
     kind: Literal["wallette"]
     divisions: tuple[Count, Count] = (1, 1)
@@ -82,6 +130,8 @@ class WalletteSpec(_Wall):
 
 class BendingSpec(_Wall, Divided):
     """A wall between support rollers and load rollers."""
+
+    builder = staticmethod(bending)
 
     kind: Literal["bending"]
     support_distance: Length = 0.025
@@ -104,9 +154,23 @@ class Box(Table):
 class BoxesSpec(SpecimenTable):
     """Boxes that the user places; `section` turns a force into the reported stress."""
 
+    builder = staticmethod(boxes)
+    placed_by_hand = True
+
     kind: Literal["boxes"]
     box: Annotated[tuple[Box, ...], Field(min_length=1)]
     section: Area
+
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder."""
+        if name != "box":
+            return super().argument(name)
+        return [(b.name, b.origin, b.size, b.group, b.unit, b.divisions) for b in self.box]
+
+    @property
+    def blocks_and_volume(self) -> tuple[float, float]:
+        """About how many blocks, and the volume (m3) of the boxes."""
+        return sum(prod(box.divisions) for box in self.box), sum(prod(box.size) for box in self.box)
 
     @model_validator(mode="after")
     def _names_differ(self) -> "BoxesSpec":
@@ -116,50 +180,16 @@ class BoxesSpec(SpecimenTable):
         return self
 
 
-def _absolute(path: str) -> str:
-    """Where a path leads from here, so that a scene which is written elsewhere still finds its blocks."""
-    return str(Path(path).absolute())
-
-
-class FileSpec(SpecimenTable, Divided):
-    """Blocks from a file that `masonry import` or `masonry.write_blocks` wrote, or such a file within the scene, as
-    text; the units among them may be divided."""
-
-    kind: Literal["file"]
-    path: Annotated[str, Field(min_length=1), AfterValidator(_absolute)] | None = None
-    content: Annotated[str, Field(min_length=1)] | None = None
-
-    @model_validator(mode="after")
-    def _names_its_blocks_once(self) -> "FileSpec":
-        if self.path is None and self.content is None:
-            raise KeyedError(
-                "path", "missing; the file of blocks, which `masonry import` or masonry.write_blocks wrote"
-            )
-        if self.path is not None and self.content is not None:
-            raise KeyedError("content", "path and content exclude each other; keep one of them")
-        return self
-
-
 Specimen = Annotated[
-    CoupletSpec
-    | PrismSpec
-    | WalletteSpec
-    | BendingSpec
-    | ArchSpec
-    | BridgeSpec
-    | VaultSpec
-    | DomeSpec
-    | ColumnSpec
-    | TowerSpec
-    | WallSpec
-    | MultiLeafSpec
-    | BoxesSpec
-    | FileSpec,
+    CoupletSpec | PrismSpec | WalletteSpec | BendingSpec | ArchOrDome | WallOrColumn | BoxesSpec | FileSpec,
     Field(discriminator="kind"),
 ]
+TABLES: dict[str, type[SpecimenTable]] = {
+    get_args(table.model_fields["kind"].annotation)[0]: table for table in get_args(get_args(Specimen)[0])
+}
+"""By the words that `kind` may be."""
 
 
-def kinds() -> list[str]:
-    """The words that `kind` may be."""
-    union = get_args(Specimen)[0]
-    return [get_args(table.model_fields["kind"].annotation)[0] for table in get_args(union)]
+def table_of(shape: str) -> type[SpecimenTable]:
+    """The table of the kind that makes specimens of a shape; that of all kinds for shapes of other programs."""
+    return TABLES.get(shape, SpecimenTable)

@@ -166,7 +166,7 @@ def cells(assembly: Assembly) -> list[Variant]:
         if given is not None and given.sites is None:
             seeds = (given.seed + 1, given.seed + 2)
             variants += [Variant("cells", f"cells of seed {s}", {f"{key}.cells.seed": s}) for s in seeds]
-        elif given is None and spec.kind != "file" and _is_plane_grid(divisions):
+        elif given is None and not spec.made_elsewhere and _is_plane_grid(divisions):
             total = _blocks_of(assembly, "mortar" if key.endswith("mortar") else "units")
             cut = {f"{key}.cells.total": total}
             variants += [

@@ -1,10 +1,14 @@
-"""Common keys of the tables of all specimens, and the division of their units."""
+"""Common keys of the tables of all specimens, what each kind answers for itself, and the division of its units."""
 
-from typing import Any, Literal
+from collections.abc import Callable
+from inspect import signature
+from math import prod
+from typing import Any, ClassVar, Literal
 
 from pydantic import model_validator
 
-from masonry.scene.tables.cells import CellsTable, exclude
+from geometry.blocks import Blocks, Specimen, TetMesh
+from masonry.scene.tables.cells import CellsTable, exclude, filling_of
 from masonry.scene.tables.point_counts import (
     PatchPointsPerEdge,
     PerAxis,
@@ -34,7 +38,21 @@ class SlabTable(Table):
 
 
 class SpecimenTable(Table):
-    """Keys of all specimens; `section`, if given, takes the place of the specimen's own."""
+    """Keys of all specimens; `section`, if given, takes the place of the specimen's own.
+
+    The table of a kind answers for it. `kind` is also the shape of what `builder` makes, and the keys of the table are
+    the parameters of that function.
+    """
+
+    builder: ClassVar[Callable[..., Specimen]]
+    seen_along_y: ClassVar[bool] = False
+    """Whether its front is the plane x-z, however deep it is."""
+    usual_view: ClassVar[Literal["front", "iso"]] = "front"
+    """The view of a picture in which nothing pushes or leans."""
+    placed_by_hand: ClassVar[bool] = False
+    """Whether its blocks are numbered in an order of the user's."""
+    made_elsewhere: ClassVar[bool] = False
+    """Whether its blocks are of any shape, were not looked at for overlaps, and may hold tets."""
 
     kind: str
     section: Area | None = None
@@ -53,6 +71,62 @@ class SpecimenTable(Table):
     @classmethod
     def _one_density(cls, data: Any) -> Any:
         return one_density(data)
+
+    def build(self) -> Specimen:
+        """The blocks with named sets; raises GeometryError for what cannot be built."""
+        builder = type(self).builder
+        return builder(**{name: self.argument(name) for name in signature(builder).parameters})
+
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder."""
+        return getattr(self, name)
+
+    @property
+    def amount(self) -> tuple[float, float, float]:
+        """About how many units, their volume (m3), and how deep they are along y (m)."""
+        raise NotImplementedError
+
+    @property
+    def blocks_and_volume(self) -> tuple[float, float]:
+        """About how many blocks, and the volume (m3) of the units."""
+        units, volume, depth = self.amount
+        return count_of_parts(self, units, volume, depth), volume
+
+    @property
+    def key_of_amount(self) -> str:
+        """The key to blame for too many blocks."""
+        return "specimen.cells" if self.has_cells else "specimen.divisions"
+
+    @property
+    def course_height(self) -> float | None:
+        """m, of a unit and a bed joint; None where there are no courses of units."""
+        height = getattr(self, "unit_height", None)
+        return None if height is None else height + getattr(self, "joint_thickness", 0.0)
+
+    @property
+    def has_cells(self) -> bool:
+        """Whether units are divided into cells."""
+        return getattr(self, "cells", None) is not None
+
+    @property
+    def is_divided(self) -> bool:
+        """Whether units are cut up."""
+        return self.has_cells or any(n > 1 for n in getattr(self, "divisions", ()))
+
+    @property
+    def all_cells(self) -> tuple[CellsTable, ...]:
+        """The tables of cells of all its parts that have one."""
+        return tuple(cells for cells in (getattr(self, "cells", None),) if cells is not None)
+
+    @property
+    def bridges_gaps(self) -> bool:
+        """Whether its joints are stated, between blocks that only nearly meet."""
+        return False
+
+    @property
+    def own_mesh(self) -> tuple[TetMesh, Blocks] | None:
+        """The tets that its blocks brought with them, and these blocks; None without."""
+        return None
 
     @property
     def chooses_patch_points(self) -> bool:
@@ -83,12 +157,40 @@ class Divided(Table):
     divisions: tuple[Count, Count, Count] = (1, 1, 1)
     cells: CellsTable | None = None
 
-    @property
-    def is_divided(self) -> bool:
-        """Whether units are cut up."""
-        return self.cells is not None or any(n > 1 for n in self.divisions)
-
     @model_validator(mode="after")
     def _is_divided_once(self) -> "Divided":
         exclude(self)
         return self
+
+
+class Structure(SpecimenTable, Divided):
+    """A structure that people build, whose units may be divided."""
+
+    def build(self) -> Specimen:
+        """The blocks with named sets, the units divided; raises GeometryError for what cannot be built."""
+        return divided_as_asked(super().build(), self)
+
+    @property
+    def key_of_amount(self) -> str:
+        """The key to blame for too many blocks."""
+        return super().key_of_amount if self.is_divided else "specimen"
+
+
+def divided_as_asked(specimen: Specimen, table: Any) -> Specimen:
+    """A specimen with its units divided as its table asks."""
+    if not table.is_divided:
+        return specimen
+    from geometry.specimens.divided import divided
+
+    return divided(specimen, filling_of(table))
+
+
+def count_of_parts(table: Any, units: float, volume: float, depth: float) -> float:
+    """About how many blocks a grid or cells in so many units make, of this volume (m3) in all and depth (m)."""
+    cells = table.cells
+    if cells is None:
+        return float(units * prod(table.divisions))
+    if cells.size is not None:
+        one = cells.size**3 if cells.form == "space" else cells.size**2 * depth
+        return volume / one if one > 0 else float("inf")
+    return float(cells.total or units * cells.per_unit)

@@ -1,38 +1,17 @@
-"""Tables of a scene for structures that people build. Lengths in m."""
+"""Tables of a scene for arches, bridges, vaults and domes. Lengths in m."""
 
-from collections import Counter
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, StrictBool, model_validator
 
+from geometry.structures.arch import arch
+from geometry.structures.bridge import BridgeArch, Pier, bridge
+from geometry.structures.dome import dome
 from geometry.structures.rings import ring_over
-from masonry.scene.tables.cells import CellsTable
-from masonry.scene.tables.specimens.common import Divided, SpecimenTable
-from masonry.scene.tables.types import (
-    Angle,
-    Count,
-    Embrace,
-    Gap,
-    Given,
-    Halves,
-    KeyedError,
-    Length,
-    Table,
-    UnitInterval,
-    Voussoirs,
-)
-
-Sides = Annotated[int, Given("integer", "[3, 1000]")]
-
-
-class Structure(SpecimenTable, Divided):
-    """A structure, whose units may be divided."""
-
-    @property
-    def amount(self) -> tuple[float, float, float]:
-        """About how many units, their volume (m3), and how deep they are along y (m)."""
-        raise NotImplementedError
+from geometry.structures.vault import vault
+from masonry.scene.tables.specimens.common import Structure
+from masonry.scene.tables.types import Count, Embrace, Halves, KeyedError, Length, Sides, Table, Voussoirs
 
 
 class _Ring(Structure):
@@ -52,6 +31,11 @@ class _Ring(Structure):
             return ring_over(self.span, self.rise, self.thickness)
         assert self.radius is not None and self.angle is not None
         return self.radius, self.angle, 0.0
+
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder; those of the ring follow from several keys."""
+        ring = dict(zip(("radius", "angle", "level"), self.ring, strict=True))
+        return ring[name] if name in ring else super().argument(name)
 
     @property
     def length_of_ring(self) -> float:
@@ -80,6 +64,9 @@ class _Ring(Structure):
 
 class ArchSpec(_Ring):
     """A ring of voussoirs between two abutments."""
+
+    builder = staticmethod(arch)
+    seen_along_y = True
 
     kind: Literal["arch"]
     voussoirs: Voussoirs
@@ -119,10 +106,18 @@ class PierTable(Table):
 class BridgeSpec(Structure):
     """Arches side by side, on piers between two abutments."""
 
+    builder = staticmethod(bridge)
+    seen_along_y = True
+
     kind: Literal["bridge"]
     depth: Length
     arch: Annotated[tuple[BridgeArchTable, ...], Field(min_length=1, max_length=100)]
     pier: tuple[PierTable, ...] = ()
+
+    def argument(self, name: str) -> Any:
+        """The argument of a parameter of the builder."""
+        parts = {"arch": BridgeArch, "pier": Pier}
+        return [parts[name](**dict(table)) for table in getattr(self, name)] if name in parts else getattr(self, name)
 
     @model_validator(mode="after")
     def _has_a_pier_between_each_two_arches(self) -> "BridgeSpec":
@@ -144,6 +139,10 @@ class BridgeSpec(Structure):
 class VaultSpec(_Ring):
     """A barrel vault: courses in bond between two abutments."""
 
+    builder = staticmethod(vault)
+    seen_along_y = True
+    usual_view = "iso"
+
     kind: Literal["vault"]
     courses: Voussoirs
     length: Length
@@ -160,6 +159,10 @@ class VaultSpec(_Ring):
 
 class DomeSpec(Structure):
     """Courses of voussoirs round an upright axis, on a ring of blocks; radius of the middle surface."""
+
+    builder = staticmethod(dome)
+    seen_along_y = True
+    usual_view = "iso"
 
     kind: Literal["dome"]
     radius: Length
@@ -187,137 +190,4 @@ class DomeSpec(Structure):
         return (self.courses + 2) * self.voussoirs + 1, area * self.thickness, 2 * self.radius / self.voussoirs
 
 
-class ColumnSpec(Structure):
-    """Drums one above the other, on a base and under a capital."""
-
-    kind: Literal["column"]
-    diameter: Length
-    height: Length
-    drums: Count
-    sides: Sides = 24
-    top_diameter: Length | None = None
-    base: Length | None = None
-    capital: Length | None = None
-    overhang: Gap = 0.0
-
-    @property
-    def amount(self) -> tuple[float, float, float]:
-        """About how many units, their volume (m3), and how deep they are along y (m)."""
-        return self.drums + 1, 0.8 * self.diameter**2 * self.height, self.diameter
-
-
-class TowerSpec(Structure):
-    """Four walls round a square, on a base."""
-
-    kind: Literal["tower"]
-    width: Length
-    thickness: Length
-    courses: Annotated[int, Given("integer", "[1, 10000]")]
-    unit_length: Length
-    unit_height: Length
-    base: Length | None = None
-
-    @model_validator(mode="after")
-    def _is_hollow(self) -> "TowerSpec":
-        if self.width <= 2.0 * self.thickness:
-            raise KeyedError("width", f"must be more than two walls, {2.0 * self.thickness:g} m")
-        return self
-
-    @property
-    def amount(self) -> tuple[float, float, float]:
-        """About how many units, their volume (m3), and how deep they are along y (m)."""
-        around = 4.0 * (self.width - self.thickness)
-        units = self.courses * (around / self.unit_length + 2)
-        return units, around * self.thickness * self.courses * self.unit_height, self.width
-
-
-class CoreCells(CellsTable):
-    """Cells of the core of a wall, in space."""
-
-    form: Literal["space"] = "space"
-
-
-class MultiLeafSpec(Structure):
-    """Two leaves in bond, a core of cells, headers through all of it."""
-
-    kind: Literal["multi-leaf"]
-    length: Length
-    height: Length
-    leaf_thickness: Length
-    core_thickness: Length
-    unit_length: Length
-    unit_height: Length
-    joint_thickness: Gap = 0.0
-    bond: Literal["running", "stack"] = "running"
-    headers: UnitInterval = 0.0
-    core: CoreCells
-    base: Length | None = None
-    beam: Length | None = None
-
-    @property
-    def amount(self) -> tuple[float, float, float]:
-        """About how many units, their volume (m3), and how deep they are along y (m)."""
-        face = self.length * self.height
-        unit = (self.unit_length + self.joint_thickness) * (self.unit_height + self.joint_thickness)
-        room = face * self.core_thickness
-        core = self.core.total or (self.core.per_unit or 1.0 if self.core.size is None else room / self.core.size**3)
-        return 2 * face / unit + core, face * (2 * self.leaf_thickness + self.core_thickness), self.leaf_thickness
-
-
-class OpeningTable(Table):
-    """A rectangular opening in a wall, and what bears the wall above it; `geometry.structures.openings.Opening`."""
-
-    name: Annotated[str, Field(min_length=1, max_length=60)]
-    left: Gap
-    width: Length
-    height: Length
-    sill: Gap = 0.0
-    head: Literal["lintel", "flat arch", "none"] = "lintel"
-    bearing: Length | None = None
-    head_courses: Count | None = None
-    voussoirs: Count | None = None
-    skew: Angle | None = None
-
-    @model_validator(mode="after")
-    def _has_the_keys_of_its_head(self) -> "OpeningTable":
-        owners = {"bearing": ("lintel",), "head_courses": ("lintel", "flat arch")}
-        owners |= dict.fromkeys(("voussoirs", "skew"), ("flat arch",))
-        for key, heads in owners.items():
-            if self.head not in heads and getattr(self, key) is not None:
-                raise KeyedError(key, f"belongs to head = {' or '.join(map(repr, heads))}; leave it out")
-        return self
-
-
-class WallSpec(Structure):
-    """A wall with openings, returns, a base and a beam."""
-
-    kind: Literal["wall"]
-    length: Length
-    height: Length
-    thickness: Length
-    unit_length: Length
-    unit_height: Length
-    unit_width: Length | None = None
-    joint_thickness: Gap = 0.0
-    bond: Literal["running", "stack", "english", "flemish"] = "running"
-    opening: tuple[OpeningTable, ...] = ()
-    returns: Literal["none", "left", "right", "both"] = "none"
-    return_length: Length | None = None
-    return_thickness: Length | None = None
-    base: Length | None = None
-    beam: Length | None = None
-
-    @model_validator(mode="after")
-    def _names_differ(self) -> "WallSpec":
-        name, times = Counter(o.name for o in self.opening).most_common(1)[0] if self.opening else ("", 0)
-        if times > 1:
-            raise KeyedError("opening", f"{times} openings are named '{name}'; each needs a name of its own")
-        return self
-
-    @property
-    def amount(self) -> tuple[float, float, float]:
-        """About how many units, their volume (m3), and how deep they are along y (m)."""
-        sides = {"none": 0, "both": 2}.get(self.returns, 1)
-        volume = (self.length + sides * (self.return_length or 0.0)) * self.thickness * self.height
-        unit = (self.unit_length + self.joint_thickness) * (self.unit_height + self.joint_thickness) * self.thickness
-        return volume / unit, volume, self.thickness
+ArchOrDome = ArchSpec | BridgeSpec | VaultSpec | DomeSpec
