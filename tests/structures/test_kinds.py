@@ -31,13 +31,13 @@ KINDS = {
     "dome": {"radius": 2.0, "thickness": 0.2, "courses": 7, "voussoirs": 16, "crown": 0.4},
     "column": {"diameter": 0.5, "height": 2.4, "drums": 6, "sides": 12},
     "tower": {"width": 1.5, "thickness": 0.3, "courses": 9, "unit_length": 0.6, "unit_height": 0.2},
-    "wall": {**WALL, "thickness": 0.1, "returns": "left", "return_length": 0.7},
+    "wall": {**WALL, "thickness": 0.1, "returns": "left", "return_length": 0.65},
     "multi-leaf": {**WALL, "leaf_thickness": 0.1, "core_thickness": 0.15, "core": {"total": 40}},
     "boxes": {
         "section": 0.02,
         "box": [
-            {"name": "low", "origin": (0, 0, 0), "size": (0.3, 0.2, 0.1), "divisions": (3, 2, 1)},
-            {"name": "high", "origin": (0.05, 0, 0.1), "size": (0.2, 0.2, 0.2)},
+            {"name": "low", "origin": (0.0, 0.0, 0.0), "size": (0.3, 0.2, 0.1), "divisions": (3, 2, 1)},
+            {"name": "high", "origin": (0.05, 0.0, 0.1), "size": (0.2, 0.2, 0.2)},
         ],
     },
 }
@@ -60,11 +60,11 @@ def test_a_kind_builds_specimens_of_its_own_shape_and_estimates_their_number_of_
     spec = TypeAdapter(Specimen).validate_python({"kind": kind, **table})
     specimen = spec.build()
     blocks, volume = spec.blocks_and_volume
-    mine = ~np.isin([specimen.blocks.groups[g] for g in specimen.blocks.group], ["plates", "rollers"])
+    group = np.array(specimen.blocks.groups)[specimen.blocks.group]
+    laid, units = ~np.isin(group, ["plates", "rollers"]), ~np.isin(group, ["plates", "rollers", "mortar"])
     assert table_of(specimen.shape) is type(spec)
-    print(kind, blocks, mine.sum(), volume, volumes(specimen.blocks)[mine].sum(), specimen.blocks.groups)
-    assert blocks == pytest.approx(mine.sum(), rel=0.35)
-    assert volume == pytest.approx(volumes(specimen.blocks)[mine].sum(), rel=0.35)
+    assert blocks == pytest.approx(laid.sum(), rel=0.2)
+    assert volume == pytest.approx(volumes(specimen.blocks)[units].sum(), rel=0.3)
 
 
 def test_a_shape_of_no_kind_is_seen_as_any_specimen_is():
