@@ -11,10 +11,10 @@ from pydantic import ValidationError
 
 from masonry.errors import SceneError
 from masonry.quantity import parse
+from masonry.scene.checked import SceneData
 from masonry.scene.messages import explain
 from masonry.scene.overrides import Overrides, apply
 from masonry.scene.portrait import portrait_html, portrait_text
-from masonry.scene.schema import SceneData
 from masonry.scene.source import Source, of_tables, packaged, read, titles
 from masonry.scene.tables.law_keys import law_there
 from masonry.scene.unit_weights import note_unit_weights

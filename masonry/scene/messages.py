@@ -8,8 +8,8 @@ from pydantic_core import ErrorDetails
 
 from masonry.errors import Faults, SceneError, closest
 from masonry.quantity import KINDS, written
+from masonry.scene.checked import SceneData
 from masonry.scene.lines import split_key
-from masonry.scene.schema import SceneData
 from masonry.scene.source import Source
 from masonry.scene.tables.law_keys import contact_class
 from masonry.scene.tables.specimen import TABLES

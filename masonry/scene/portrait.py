@@ -3,7 +3,7 @@
 from typing import Any
 
 from masonry.runtime.tables import Rows, aligned, html_table
-from masonry.scene.schema import SceneData
+from masonry.scene.checked import SceneData
 
 READABLE = {"m": ((1e-3, "mm"),), "Pa": ((1e9, "GPa"), (1e6, "MPa"), (1e3, "kPa"))}
 """Units of a scene, and those in which people read them: the first that the size reaches."""

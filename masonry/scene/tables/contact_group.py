@@ -35,6 +35,7 @@ from masonry.scene.tables.types import (
     Table,
     Tangent,
     confinement_of,
+    refuse_both,
 )
 
 
@@ -138,8 +139,7 @@ class Contact(Table):
         ):
             if getattr(self, plain) is not None and getattr(self, tangent) is not None:
                 raise KeyedError(tangent, f"{plain} and {tangent} are two spellings of one property; keep one of them")
-        if self.normal_dashpot is not None and self.restitution is not None:
-            raise KeyedError("restitution", "normal_dashpot and restitution exclude each other; keep one of them")
+        refuse_both(self, "normal_dashpot", "restitution")
         self._require_of_crushing()
         if 0.0 < self.shear_stiffness < SOFTEST:
             raise KeyedError("shear_stiffness", f"must be 0, or in [{SOFTEST:g}, 1e22]")

@@ -20,6 +20,7 @@ from masonry.scene.tables.types import (
     SignedAngle,
     Steps,
     Table,
+    refuse_both,
 )
 
 NO_ROTATION = 1e-9
@@ -109,10 +110,9 @@ class Gravity(Table):
         histories.checked(self.history, self.duration, "number")
         if self.layers > 1 and (self.history is not None or self.tilt is not None):
             raise KeyedError("layers", "a weight that comes on in layers stays as it is; leave out history and tilt")
+        refuse_both(self, "history", "tilt")
         if self.tilt is None:
             return self
-        if self.history is not None:
-            raise KeyedError("tilt", "history and tilt exclude each other; keep one of them")
         if not any(g for axis, g in zip("xyz", self.vector, strict=True) if axis != self.tilt.about):
             raise KeyedError("tilt.about", f"gravity acts along {self.tilt.about} alone: turning it changes nothing")
         return self

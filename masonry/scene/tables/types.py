@@ -68,6 +68,12 @@ class Table(BaseModel):
             raise unchanged(name)
 
 
+def refuse_both(table: Table, first: str, second: str) -> None:
+    """KeyedError where a table has two keys that exclude each other."""
+    if getattr(table, first) is not None and getattr(table, second) is not None:
+        raise KeyedError(second, f"{first} and {second} exclude each other; keep one of them")
+
+
 def unchanged(name: object) -> SceneError:
     """Error where somebody tries to change a scene."""
     return SceneError(

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from masonry.errors import SceneError
 from masonry.scene import load, to_toml
-from masonry.scene.schema import SceneData
+from masonry.scene.schema import SceneKeys
 from tests.scene.written import any_scene
 
 BOXES = """
@@ -78,7 +78,7 @@ def test_boxes_without_friction_or_drive_are_a_scene(tmp_path):
 def answers(scene):
     """What a scene says of itself beyond its keys, as some of it depends on which keys a file has."""
     answers = {}
-    for name in [name for name, of in vars(SceneData).items() if isinstance(of, property)]:
+    for name in [name for name, of in vars(SceneKeys).items() if isinstance(of, property)]:
         try:
             answers[name] = getattr(scene, name)
         except SceneError as error:  # of what is looked at as late as a run begins
@@ -108,7 +108,7 @@ def test_300_scenes_made_by_chance_read_back_as_they_were(tmp_path):
         require_same(scene, tmp_path, name)
     put_in = set().union(*(keys for _, _, keys in made))
     rare = {"standard", "scatter"}
-    assert {key for key in SceneData.model_fields if key not in rare} <= {key.partition(".")[0] for key in put_in}
+    assert {key for key in SceneKeys.model_fields if key not in rare} <= {key.partition(".")[0] for key in put_in}
     assert {"quiet.wave.made", "ground.made.table", "damping.maxwell", "specimen.cells.sites", "gauge.at"} <= put_in
 
 

@@ -16,7 +16,7 @@ from masonry.scene.tables import expression
 from masonry.scene.tables.dynamics.acceleration_in_g import AccelerationInG
 from masonry.scene.tables.dynamics.made_record import COMPONENTS, MadeGround
 from masonry.scene.tables.gravity_and_floor import with_unit
-from masonry.scene.tables.types import Duration, Given, KeyedError, Selector, Table
+from masonry.scene.tables.types import Duration, Given, KeyedError, Selector, Table, refuse_both
 
 AXES = "xyz"
 STILL, MOST = 1e-9, 1e6
@@ -73,8 +73,7 @@ class GivenMotion(Table):
                 "x",
                 "missing; name a column of the record for x, y or z, or 'first' of [ground.made], or give a formula",
             )
-        if self.scale is not None and self.peak is not None:
-            raise KeyedError("peak", "scale and peak exclude each other; keep one of them")
+        refuse_both(self, "scale", "peak")
         if self.scale == 0.0:
             raise KeyedError("scale", "ground that is scaled by 0 does not move; leave the table out")
         if self.made is not None:

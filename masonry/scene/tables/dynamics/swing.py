@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, PlainSerializer, model_validator
 
 from masonry.quantity import convert
-from masonry.scene.tables.types import Damping, KeyedError, Table
+from masonry.scene.tables.types import Damping, KeyedError, Table, refuse_both
 
 RATES, TIMES, FREQUENCIES = "(0, 1e9]", "(0, 1e6]", "[1e-6, 1e9]"
 WIDEST = 1e4
@@ -124,8 +124,7 @@ class DampingTable(Table):
     def _is_given_once(self) -> "DampingTable":
         for key, others in {"rayleigh": ("mass", "stiffness"), "local": ("mass", "rayleigh")}.items():
             for other in others:
-                if getattr(self, key) is not None and getattr(self, other) is not None:
-                    raise KeyedError(key, f"{other} and {key} exclude each other; keep one of them")
+                refuse_both(self, other, key)
         if self.maxwell is not None and self.maxwell.ratio > MOST_FLAT:
             raise KeyedError("maxwell.ratio", f"must be {100 * MOST_FLAT:g} % at most")
         return self

@@ -13,7 +13,7 @@ from geometry.files.blocks_text import blocks_of_text
 from geometry.polyhedra.measures import volumes
 from masonry.errors import SceneError
 from masonry.scene.tables.specimens.common import Divided, SpecimenTable, count_of_parts, divided_as_asked
-from masonry.scene.tables.types import KeyedError
+from masonry.scene.tables.types import KeyedError, refuse_both
 
 
 def _absolute(path: str) -> str:
@@ -78,8 +78,7 @@ class FileSpec(SpecimenTable, Divided):
             raise KeyedError(
                 "path", "missing; the file of blocks, which `masonry import` or masonry.write_blocks wrote"
             )
-        if self.path is not None and self.content is not None:
-            raise KeyedError("content", "path and content exclude each other; keep one of them")
+        refuse_both(self, "path", "content")
         return self
 
 

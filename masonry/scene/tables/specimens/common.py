@@ -17,7 +17,17 @@ from masonry.scene.tables.point_counts import (
     fewest,
     one_density,
 )
-from masonry.scene.tables.types import Area, Count, KeyedError, Length, Position, SetName, SignedAngle, Table
+from masonry.scene.tables.types import (
+    Area,
+    Count,
+    KeyedError,
+    Length,
+    Position,
+    SetName,
+    SignedAngle,
+    Table,
+    refuse_both,
+)
 
 
 class TurnTable(Table):
@@ -135,10 +145,7 @@ class SpecimenTable(Table):
 
     @model_validator(mode="after")
     def _has_one_kind_of_patch_points(self) -> "SpecimenTable":
-        if self.patch_points is not None and self.patch_points_per_edge is not None:
-            raise KeyedError(
-                "patch_points_per_edge", "patch_points and patch_points_per_edge exclude each other; keep one of them"
-            )
+        refuse_both(self, "patch_points", "patch_points_per_edge")
         return self
 
     @model_validator(mode="after")
