@@ -9,6 +9,7 @@ import numpy as np
 from geometry.blocks import Blocks
 from masonry.errors import SceneError
 from masonry.laws.building import factory
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.restitution import MOST_LENGTH, further_share
 from masonry.model.contact_groups import contact_group_name
 from masonry.model.damping import swing_of
@@ -30,13 +31,13 @@ class Pairs:
     names       of the groups, in alphabetical order
     number      (G, G, 2) of the group for blocks of groups g and h (of Blocks.groups), of two units (0) or of one (1);
                 symmetric; -1 where there are no two such blocks
-    properties  by name, as Contact.properties gives them; normal_dashpot is a key where the table has one
+    properties  by name, as Contact.properties gives them
     laws        by name, (parameters, properties) of its law, as laws.building.factory.build makes them
     """
 
     names: tuple[str, ...]
     number: np.ndarray
-    properties: dict[str, dict[str, Any]]
+    properties: dict[str, ContactProperties]
     laws: dict[str, tuple[Any, Any]]
 
 
@@ -65,12 +66,12 @@ def meetings_of(pairs: Pairs, scene: Scene) -> Meetings:
     for name in pairs.names:
         joint = pairs.laws[name][1]
         friction = joint.tan_friction if joint.tan_residual_friction is None else joint.tan_residual_friction
-        dashpot = pairs.properties[name].get("normal_dashpot") or 0.0
+        dashpot = pairs.properties[name].normal_dashpot or 0.0
         cohesion = joint.residual_cohesion or 0.0
         shear = joint.shear_stiffness or joint.normal_stiffness  # 0 of a roller, of which friction 0 makes one as well
         numbers.append((joint.normal_stiffness, shear, friction or 0.0, dashpot, cohesion))
     kn, ks, tan, damping, left = np.array(numbers, dtype=float).reshape(-1, 5).T.copy()
-    bounces = [pairs.properties[name].get("restitution") for name in pairs.names]
+    bounces = [pairs.properties[name].restitution for name in pairs.names]
     rise = np.array([(*further_share(e), MOST_LENGTH) if e else (0.0, 0.0, 0.0) for e in bounces])
     rules = Rules(kn, ks, tan, damping, left if left.any() else None, rise=rise if rise.any() else None)
     cap, cut_off = _crushing(pairs)

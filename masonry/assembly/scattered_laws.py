@@ -1,7 +1,7 @@
 """Properties that a scene lets differ from joint to joint: what is drawn, and the laws that come of it."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from geometry.blocks import Blocks, Joints
 from masonry.errors import SceneError, nearest
 from masonry.laws.building import factory
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.state import JointProperties
 from masonry.model.draws import PROPERTIES, correlated, lognormal, pairs_of, standard_normals
 from masonry.scene.tables.scatter import Scatter
@@ -88,16 +89,16 @@ def draw(scatter: Scatter, contact: Mapping[str, Any], group: str, blocks: Block
     return Drawn(group, pairs, joint, joints.point[own], values)
 
 
-def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[float]) -> tuple[Any, JointProperties]:
+def laws_of(drawn: Drawn, properties: ContactProperties, compressions: Sequence[float]) -> tuple[Any, JointProperties]:
     """(parameters, joint) of a group with an array (c,) for each parameter that differs; raises SceneError.
 
     properties, compressions  as for laws.building.factory.build; the properties that are drawn give the mean
     """
     laws: list[tuple[Any, JointProperties]] = []
     for j in range(len(drawn.pairs)):
-        own = {**properties, **{key: float(values[j]) for key, values in drawn.values.items()}}
+        values: dict[str, Any] = {key: float(values[j]) for key, values in drawn.values.items()}
         try:
-            laws.append(factory.made(drawn.group, own, compressions))
+            laws.append(factory.made(drawn.group, replace(properties, **values), compressions))
         except SceneError as error:
             raise SceneError(f"{error}, as [scatter.{drawn.group}] draws it for {drawn.words(j)}") from None
     _require_no_snap_back(drawn, properties, laws, compressions)
@@ -106,14 +107,14 @@ def laws_of(drawn: Drawn, properties: Mapping[str, Any], compressions: Sequence[
 
 
 def _require_no_snap_back(
-    drawn: Drawn, properties: Mapping[str, Any], laws: list[tuple[Any, JointProperties]], compressions: Sequence[float]
+    drawn: Drawn, properties: ContactProperties, laws: list[tuple[Any, JointProperties]], compressions: Sequence[float]
 ) -> None:
     """Raise SceneError for the draw that lacks most, if any snaps back."""
     refused = {}
     for j, (parameters, joint) in enumerate(laws):
         lack = factory.refusal(parameters, joint, compressions)
         if lack is not None:
-            value = drawn.values[lack.key][j] if lack.key in drawn.values else properties[lack.key]
+            value = drawn.values[lack.key][j] if lack.key in drawn.values else properties.value(lack.key)
             refused[j] = lack.least / value, value, lack
     if not refused:
         return
@@ -121,7 +122,7 @@ def _require_no_snap_back(
     _, value, lack = refused[worst]
     raise SceneError(
         f"contact.{drawn.group}.{lack.key} = {value:.6g} (SI), as [scatter.{drawn.group}] draws it for "
-        f"{drawn.words(worst)}, does not work with law '{properties['law']}': it must be above {lack.wanted}; "
+        f"{drawn.words(worst)}, does not work with law '{properties.law}': it must be above {lack.wanted}; "
         f"{lack.why}; {len(refused)} of {len(laws)} draws are refused, this one lacks most: raise "
         f"contact.{drawn.group}.{lack.key}, lower the coefficients of variation, or choose law exponential"
     )

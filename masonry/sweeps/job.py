@@ -32,10 +32,10 @@ def _tensile_strengths(scene: "Scene") -> dict[str, TensileStrength]:
 
     strengths = {}
     for group, contact in scene.contact.items():
-        values, strength = contact.properties(), contact.tensile_strength
+        properties, strength = contact.properties(), contact.tensile_strength
         reads = "tensile_strength" in properties_of(contact.law)
-        if reads and strength is not None and None not in (values["cohesion"], values["tan_friction"]):
-            strengths[f"contact.{group}.tensile_strength"] = TensileStrength(strength, tensile_strength(values))
+        if reads and strength is not None and None not in (properties.cohesion, properties.tan_friction):
+            strengths[f"contact.{group}.tensile_strength"] = TensileStrength(strength, tensile_strength(properties))
     return strengths
 
 

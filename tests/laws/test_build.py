@@ -7,6 +7,7 @@ import pytest
 
 from masonry.errors import SceneError
 from masonry.laws import law_names
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.factory import build
 from verification.fixtures.one_contact import TABLE_1, along, law, walk
 
@@ -23,9 +24,14 @@ def least_of(message: str) -> float:
     return float(match[1])
 
 
+def table_1(law: str, **changes) -> ContactProperties:
+    """The properties of Table 1 with a law, some of them changed."""
+    return ContactProperties.of({"law": law, **TABLE_1, **changes})
+
+
 def refusal(name, compressions=(0.0,), **changes) -> str:
     with pytest.raises(SceneError) as refused:
-        build("unit_unit", {"law": name, **TABLE_1, **changes}, compressions)
+        build("unit_unit", table_1(name, **changes), compressions)
     message = str(refused.value)
     assert message.startswith("contact.unit_unit")
     return message
@@ -58,8 +64,8 @@ def test_an_energy_or_exponent_that_is_not_positive_is_refused(name, key, value)
 
 def test_brittle_and_elastic_need_no_energy():
     bare = {key: value for key, value in TABLE_1.items() if "energy" not in key and "exponent" not in key}
-    build("unit_unit", {"law": "brittle", **bare})
-    build("unit_unit", {"law": "elastic", "normal_stiffness": 1e9, "shear_stiffness": 0.0})
+    build("unit_unit", ContactProperties.of({"law": "brittle", **bare}))
+    build("unit_unit", ContactProperties.of({"law": "elastic", "normal_stiffness": 1e9, "shear_stiffness": 0.0}))
 
 
 def test_snap_back_in_tension_is_refused_up_to_the_least_energy_and_runs_just_above():
@@ -82,7 +88,7 @@ def test_snap_back_in_shear_is_refused_up_to_the_least_energy_at_that_compressio
         assert least_of(message) == pytest.approx(least, rel=1e-5)
         assert f"{compression:g} Pa" in message
     numbers = {"fracture_energy_mode_2": least * (1 + 1e-6), "fracture_energy_mode_2_slope": slope}
-    build("unit_unit", {"law": "linear", **TABLE_1, **numbers}, [compression])
+    build("unit_unit", table_1("linear", **numbers), [compression])
 
 
 def test_the_least_energy_that_is_named_works_at_every_compression_of_the_scene():
@@ -90,15 +96,15 @@ def test_the_least_energy_that_is_named_works_at_every_compression_of_the_scene(
     changes = {"fracture_energy_mode_2": 1.0, "fracture_energy_mode_2_slope": None}
     least = least_of(refusal("linear", compressions, **changes))
     changes["fracture_energy_mode_2"] = least * (1 + 1e-5)
-    build("unit_unit", {"law": "linear", **TABLE_1, **changes}, compressions)
+    build("unit_unit", table_1("linear", **changes), compressions)
     changes["fracture_energy_mode_2"] = least * (1 - 1e-5)
     refusal("linear", compressions, **changes)
 
 
 def test_nothing_snaps_back_where_nothing_is_lost():
     strong = {"residual_cohesion": 0.87e6, "tan_residual_friction": 1.01, "fracture_energy_mode_2": 1e-9}
-    build("unit_unit", {"law": "linear", **TABLE_1, **strong}, [0.0, 1e6])
-    build("unit_unit", {"law": "linear", **TABLE_1, "tensile_strength": 0.0, "fracture_energy_mode_1": 1e-9})
+    build("unit_unit", table_1("linear", **strong), [0.0, 1e6])
+    build("unit_unit", table_1("linear", tensile_strength=0.0, fracture_energy_mode_1=1e-9))
 
 
 @pytest.mark.parametrize("key", ["exponent_tension", "exponent_shear"])
@@ -107,20 +113,20 @@ def test_an_exponent_up_to_1_leaves_an_infinite_energy_and_is_refused(key):
         message = refusal("polynomial", **{key: value})
         assert f"contact.unit_unit.{key}" in message
         assert least_of(message) == 1.0
-    build("unit_unit", {"law": "polynomial", **TABLE_1, key: 1.0 + 1e-9})
+    build("unit_unit", table_1("polynomial", **{key: 1.0 + 1e-9}))
 
 
 def test_a_residual_above_the_peak_is_refused():
     for name in ("brittle", "linear", "polynomial", "exponential"):
         assert "residual_cohesion" in refusal(name, residual_cohesion=0.88e6)
         assert "residual_friction_angle" in refusal(name, tan_residual_friction=1.02)
-        build("unit_unit", {"law": name, **TABLE_1, "residual_cohesion": 0.87e6, "tan_residual_friction": 1.01})
+        build("unit_unit", table_1(name, residual_cohesion=0.87e6, tan_residual_friction=1.01))
 
 
 def test_a_dilation_steeper_than_the_residual_friction_is_refused():
     for name in ("brittle", "linear", "polynomial", "exponential"):
         assert "dilation_angle" in refusal(name, dilation_angle=atan(0.73) + 1e-6)
-        build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": atan(0.73) - 1e-9})
+        build("unit_unit", table_1(name, dilation_angle=atan(0.73) - 1e-9))
 
 
 @pytest.mark.parametrize(
@@ -133,10 +139,10 @@ def test_a_dilation_steeper_than_the_residual_friction_is_refused():
     ],
 )
 def test_dilation_ends_where_the_cohesion_has_gone_unless_the_scene_says_where(name, slip):
-    joint = build("unit_unit", {"law": name, **TABLE_1, "fracture_energy_mode_2": 58.0, "dilation_angle": 0.1})[1]
+    joint = build("unit_unit", table_1(name, fracture_energy_mode_2=58.0, dilation_angle=0.1))[1]
     if name != "brittle":
         assert joint.dilation_cutoff == pytest.approx(slip, rel=1e-12)
-    pressed = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1}, (0.0, 1e6))[1]
+    pressed = build("unit_unit", table_1(name, dilation_angle=0.1), (0.0, 1e6))[1]
     energy, peak, drop = 58.0 + 130.0, 0.87e6 + 1.01e6, 0.87e6 + 0.28e6
     wanted = {
         "linear": 0.99 * (2 * energy / drop - drop / 70e9),
@@ -145,9 +151,9 @@ def test_dilation_ends_where_the_cohesion_has_gone_unless_the_scene_says_where(n
         "brittle": 0.0,
     }
     assert pressed.dilation_cutoff == pytest.approx(wanted[name], rel=1e-12, abs=1e-17)
-    given = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1, "dilation_cutoff": 1e-4})[1]
+    given = build("unit_unit", table_1(name, dilation_angle=0.1, dilation_cutoff=1e-4))[1]
     assert given.dilation_cutoff == 1e-4
-    frictional = build("unit_unit", {"law": name, **TABLE_1, "dilation_angle": 0.1, "cohesion": 0.0})[1]
+    frictional = build("unit_unit", table_1(name, dilation_angle=0.1, cohesion=0.0))[1]
     assert frictional.dilation_cutoff == inf
 
 

@@ -7,6 +7,7 @@ from masonry import scene
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.laboratory.text import summary_text
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.factory import build
 from masonry.laws.mechanism import elastic_trial, return_mapping, stored_energy
 from masonry.laws.state import ContactHistory
@@ -70,7 +71,7 @@ def test_brittle_with_zeros_has_the_same_curve(triplet):
 
 
 def test_a_contact_presses_rubs_and_lets_go():
-    parameters, joint = build("unit_unit", GIVEN)
+    parameters, joint = build("unit_unit", ContactProperties.of(GIVEN))
     assert elastic_trial(parameters, joint, FRESH, -1e-5, 0.0) == (-3e5, True)
     assert elastic_trial(parameters, joint, FRESH, 1e-5, 0.0) == (0.0, False)
     assert not elastic_trial(parameters, joint, FRESH, -1e-5, (MU * 3e5 * 1.001) ** 2)[1]
@@ -91,6 +92,6 @@ def test_a_contact_presses_rubs_and_lets_go():
 
 def test_it_needs_stiffnesses_and_friction_and_reads_no_strength():
     with pytest.raises(SceneError, match="friction_angle"):
-        build("unit_unit", {**GIVEN, "tan_friction": None})
+        build("unit_unit", ContactProperties.of({**GIVEN, "tan_friction": None}))
     with_strength = {**GIVEN, "tensile_strength": 1e6, "cohesion": 1e6, "dilation_angle": 0.3, "unloading": "elastic"}
-    assert build("unit_unit", with_strength) == build("unit_unit", GIVEN)
+    assert build("unit_unit", ContactProperties.of(with_strength)) == build("unit_unit", ContactProperties.of(GIVEN))

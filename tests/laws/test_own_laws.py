@@ -11,6 +11,7 @@ from masonry.drawings.law_portrait import portrait
 from masonry.drawings.one_contact import follow
 from masonry.errors import SceneError
 from masonry.laws.building import entry_points
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.factory import build
 from masonry.scene import load, to_toml
 from masonry.sweeps.job import Job
@@ -180,7 +181,7 @@ def test_a_mistake_in_the_keys_of_the_law_is_told_as_any_other(changes, said):
 
 def test_a_key_that_is_missing_or_refused_is_named():
     with pytest.raises(SceneError, match="law 'bilinear' needs opening_at_knee, share_at_knee.*exponential.*bilinear"):
-        build("unit_unit", {"law": "bilinear", **TABLE_1})
+        build("unit_unit", ContactProperties.of({"law": "bilinear", **TABLE_1}))
     with pytest.raises(SceneError, match="fracture_energy_mode_1 = 5.8 .* must be above 11.31 N/m; the area up to"):
         own(opening_at_knee=3e-5)
 

@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 from geometry.joints.find import find_joints
 from masonry.configuration.energy import present
 from masonry.laws.building import factory
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.model.loads import Push
 from masonry.model.model import Stepping, sort_by_group
 from tests.model.eigen import true_limit
@@ -24,17 +25,19 @@ MIRROR = np.diag([-1.0, 1.0, 1.0])
 SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.15, 0.9]])
 SOFT = factory.build(
     "unit_unit",
-    {
-        "law": "exponential",
-        "normal_stiffness": 2e11,
-        "shear_stiffness": 8e10,
-        "tensile_strength": 0.2e6,
-        "cohesion": 0.3e6,
-        "tan_friction": 0.9,
-        "tan_residual_friction": 0.6,
-        "fracture_energy_mode_1": 2.0,
-        "fracture_energy_mode_2": 20.0,
-    },
+    ContactProperties.of(
+        {
+            "law": "exponential",
+            "normal_stiffness": 2e11,
+            "shear_stiffness": 8e10,
+            "tensile_strength": 0.2e6,
+            "cohesion": 0.3e6,
+            "tan_friction": 0.9,
+            "tan_residual_friction": 0.6,
+            "fracture_energy_mode_1": 2.0,
+            "fracture_energy_mode_2": 20.0,
+        }
+    ),
 )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from masonry.configuration import energy
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.factory import build
 from masonry.model.model import Model
 from verification import balance
@@ -14,7 +15,10 @@ from verification.fixtures import models
 from verification.fixtures.one_contact import TABLE_1
 
 STRONG = build(
-    "unit_unit", {**TABLE_1, "law": "exponential", "tensile_strength": 1e12, "cohesion": 1e12, "tan_friction": 1.0}
+    "unit_unit",
+    ContactProperties.of(
+        {**TABLE_1, "law": "exponential", "tensile_strength": 1e12, "cohesion": 1e12, "tan_friction": 1.0}
+    ),
 )
 """Contacts that never yield."""
 
@@ -23,7 +27,7 @@ def loose(kn: float, ks: float = 0.0) -> tuple:
     """Contacts with stiffnesses in Pa/m that press and never pull; without friction."""
     numbers = {"tensile_strength": 0.0, "cohesion": 0.0, "tan_friction": 0.0, "tan_residual_friction": 0.0}
     keys = {"law": "exponential", "normal_stiffness": kn, "shear_stiffness": ks or kn}
-    return build("unit_unit", {**TABLE_1, **numbers, **keys})
+    return build("unit_unit", ContactProperties.of({**TABLE_1, **numbers, **keys}))
 
 
 def glued(kn: float, ks: float) -> tuple:

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from masonry.configuration.energy import present
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.factory import build
 from masonry.model.loads import Push
 from masonry.model.model import Model, Stepping
@@ -25,8 +26,10 @@ ORDER = np.array([3, 0, 4, 2, 1])
 SHEAR = np.array([[1.0, 0.3, 0.2], [0.1, 1.0, -0.2], [0.0, 0.15, 0.9]])
 SOFT = build(
     "unit_unit",
-    {**TABLE_1, "law": "exponential", "tensile_strength": 0.2e6, "cohesion": 0.3e6, "tan_friction": 0.9,
-     "tan_residual_friction": 0.6, "fracture_energy_mode_1": 2.0, "fracture_energy_mode_2": 20.0},
+    ContactProperties.of({
+        **TABLE_1, "law": "exponential", "tensile_strength": 0.2e6, "cohesion": 0.3e6, "tan_friction": 0.9,
+        "tan_residual_friction": 0.6, "fracture_energy_mode_1": 2.0, "fracture_energy_mode_2": 20.0,
+    }),
 )  # fmt: skip
 KIND = "invariance"
 LEVI_CIVITA = np.zeros((3, 3, 3))

@@ -1,12 +1,14 @@
 """From the numbers of a scene to a law: what is missing, what contradicts itself, what would snap back."""
 
 import importlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from math import inf, tan
 from typing import Any
 
 from masonry.errors import SceneError, nearest
 from masonry.laws import law_names
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.building.plugins import all_law_names, plugin_law
 from masonry.laws.compression_cap import refuse_crushing
 from masonry.laws.law_dispatch import beside, shear_intact
@@ -42,19 +44,18 @@ def _parameters_class(name: str) -> type:
 
 
 def build(
-    group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)
+    group: str, properties: ContactProperties, compressions: Sequence[float] = (0.0,)
 ) -> tuple[Any, JointProperties]:
     """(parameters, joint) of a contact group; raises SceneError.
 
-    properties    SI values under the scene's names; None or absent where not given
     compressions  Pa, the confining stresses at which snap-back in shear is looked for
     """
     parameters, joint = made(group, properties, compressions)
     refused = refusal(parameters, joint, compressions)
     if refused is not None:
         raise SceneError(
-            f"contact.{group}.{refused.key} = {properties[refused.key]:g} (SI) does not work with law "
-            f"'{properties['law']}': it must be above {refused.wanted}; {refused.why}"
+            f"contact.{group}.{refused.key} = {properties.value(refused.key):g} (SI) does not work with law "
+            f"'{properties.law}': it must be above {refused.wanted}; {refused.why}"
         )
     return parameters, joint
 
@@ -78,22 +79,22 @@ def strengths_of(file: Any) -> tuple[str, ...]:
 
 
 def made(
-    group: str, properties: Mapping[str, Any], compressions: Sequence[float] = (0.0,)
+    group: str, properties: ContactProperties, compressions: Sequence[float] = (0.0,)
 ) -> tuple[Any, JointProperties]:
     """`build` without a look whether the curves would snap back."""
-    name = properties["law"]
+    name = properties.law
     file, where = module_of(name), f"contact.{group}"
-    stiffness = {key: properties[key] for key in ("normal_stiffness", "shear_stiffness")}
+    stiffness = {"normal_stiffness": properties.normal_stiffness, "shear_stiffness": properties.shear_stiffness}
     if name == "elastic":
         return _parameters_class(name)(), JointProperties(**stiffness)
     strengths = strengths_of(file)
-    _require(where, name, properties, strengths)
+    _require(where, properties, strengths)
     if strengths != STRENGTHS:
         properties = _without_the_rest(properties, strengths)
     parameters_class: Any = _parameters_class(name)
     optional = parameters_class._field_defaults
-    _require(where, name, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
-    given = {field: properties.get(key) for field, key in file.PARAMETERS.items()}
+    _require(where, properties, [key for field, key in file.PARAMETERS.items() if field not in optional])
+    given = {field: properties.value(key) for field, key in file.PARAMETERS.items()}
     parameters = parameters_class(**{field: value for field, value in given.items() if value is not None})
     for field, key in file.PARAMETERS.items():
         if field not in optional and getattr(parameters, field) <= 0.0:
@@ -104,20 +105,20 @@ def made(
     return parameters, joint
 
 
-def _without_the_rest(properties: Mapping[str, Any], strengths: Sequence[str]) -> dict[str, Any]:
+def _without_the_rest(properties: ContactProperties, strengths: Sequence[str]) -> ContactProperties:
     """The properties of a law that reads some strengths only: the others are 0, and nothing is left to an option."""
-    required = ("law", "normal_stiffness", "shear_stiffness", *strengths)
-    crushing = {key: properties.get(key) for key in CRUSHING}
-    others = {**{key: 0.0 for key in STRENGTHS}, "coupling": "independent"}
-    return {**others, **{key: properties[key] for key in required}, **crushing}
+    bare = ContactProperties(properties.law, properties.normal_stiffness, properties.shear_stiffness)
+    values: dict[str, Any] = {key: getattr(properties, key) if key in strengths else 0.0 for key in STRENGTHS}
+    values |= {key: getattr(properties, key) for key in CRUSHING}
+    return replace(bare, coupling="independent", **values)
 
 
-def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence[str]) -> None:
-    missing = [key for key in keys if properties.get(key) is None]
+def _require(where: str, properties: ContactProperties, keys: Sequence[str]) -> None:
+    missing = [key for key in keys if properties.value(key) is None]
     if missing:
         spelled = [_SPELLING.get(key, key) for key in missing]
         raise SceneError(
-            f"{where}: law '{law}' needs {', '.join(spelled)}; add it, or choose another law: "
+            f"{where}: law '{properties.law}' needs {', '.join(spelled)}; add it, or choose another law: "
             f"{', '.join(all_law_names())}"
         )
 
@@ -125,19 +126,18 @@ def _require(where: str, law: str, properties: Mapping[str, Any], keys: Sequence
 _SPELLING = {"tan_friction": "friction_angle (or tan_friction_angle)"}
 
 
-def _joint_properties(where: str, p: Mapping[str, Any], stiffness: dict[str, float]) -> JointProperties:
-    residual_cohesion = p.get("residual_cohesion") or 0.0
-    tan_residual = p.get("tan_residual_friction")
-    tan_residual = p["tan_friction"] if tan_residual is None else tan_residual
-    if residual_cohesion > p["cohesion"]:
-        raise SceneError(
-            f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p['cohesion']:g} Pa"
-        )
-    if tan_residual > p["tan_friction"]:
+def _joint_properties(where: str, p: ContactProperties, stiffness: dict[str, float]) -> JointProperties:
+    assert p.cohesion is not None and p.tan_friction is not None
+    residual_cohesion = p.residual_cohesion or 0.0
+    tan_residual = p.tan_residual_friction
+    tan_residual = p.tan_friction if tan_residual is None else tan_residual
+    if residual_cohesion > p.cohesion:
+        raise SceneError(f"{where}.residual_cohesion: {residual_cohesion:g} Pa is more than cohesion {p.cohesion:g} Pa")
+    if tan_residual > p.tan_friction:
         raise SceneError(
             f"{where}.residual_friction_angle is larger than friction_angle; strength never grows on sliding"
         )
-    dilation = tan(p.get("dilation_angle") or 0.0)
+    dilation = tan(p.dilation_angle or 0.0)
     if dilation > tan_residual:
         raise SceneError(
             f"{where}.dilation_angle is larger than the residual friction angle: sliding would then produce energy"
@@ -145,58 +145,60 @@ def _joint_properties(where: str, p: Mapping[str, Any], stiffness: dict[str, flo
     return JointProperties(
         **stiffness,
         tensile_strength=tensile_strength(p),
-        cohesion=p["cohesion"],
-        tan_friction=p["tan_friction"],
+        cohesion=p.cohesion,
+        tan_friction=p.tan_friction,
         residual_cohesion=residual_cohesion,
         tan_residual_friction=tan_residual,
         tan_dilation=dilation or None,
-        elastic_unloading=1.0 if p.get("unloading") == "elastic" else None,
-        plastic_softening=1.0 if p.get("softening_variable") == "plastic" else None,
-        combined=None if p.get("coupling") == "independent" else 1.0,
+        elastic_unloading=1.0 if p.unloading == "elastic" else None,
+        plastic_softening=1.0 if p.softening_variable == "plastic" else None,
+        combined=None if p.coupling == "independent" else 1.0,
         **_crushing_of(where, p),  # type: ignore[arg-type]
     )
 
 
-def _crushing_of(where: str, p: Mapping[str, Any]) -> dict[str, float | None]:
+def _crushing_of(where: str, p: ContactProperties) -> dict[str, float | None]:
     """Crushing parameters of JointProperties; none where crushing is not modelled."""
-    if p.get("crushing") is None:
+    if p.crushing is None:
         return {}
-    _require(where, p["law"], p, ["compressive_strength"])
-    strength, energy = p["compressive_strength"], p.get("fracture_energy_compression")
-    if p["crushing"] == CUT_OFF:
+    _require(where, p, ["compressive_strength"])
+    strength, energy = p.compressive_strength, p.fracture_energy_compression
+    if p.crushing == CUT_OFF:
         return {"compressive_strength": strength, "crushing_energy": energy}
-    _require(where, p["law"], p, ["fracture_energy_compression", "closing_at_peak"])
-    factor = p.get("cap_shear_factor")
+    _require(where, p, ["fracture_energy_compression", "closing_at_peak"])
+    factor = p.cap_shear_factor
     return {
         "compressive_strength": strength,
         "crushing_energy": energy,
-        "closing_at_peak": p["closing_at_peak"],
+        "closing_at_peak": p.closing_at_peak,
         "cap_shear_factor": SHEAR_FACTOR if factor is None else factor,
     }
 
 
-def tensile_strength(p: Mapping[str, Any]) -> float:
+def tensile_strength(p: ContactProperties) -> float:
     """Tensile strength (Pa) as the laws take it: not beyond the apex of the Coulomb line, c/tan(phi), and none where it
     is next to nothing beside the cohesion.
 
     Beyond the apex nothing holds a slip, though nothing is torn: shear strength would come back on the way home. And
     cohesion goes with the opening over G_I/fT, which grows beyond all bounds as fT goes to nothing.
     """
-    strength = p["tensile_strength"]
-    if strength < NOTHING * p["cohesion"]:
+    strength = p.tensile_strength
+    assert strength is not None and p.cohesion is not None and p.tan_friction is not None
+    if strength < NOTHING * p.cohesion:
         return 0.0
-    return min(strength, p["cohesion"] / p["tan_friction"]) if p["tan_friction"] > 0.0 else strength
+    return min(strength, p.cohesion / p.tan_friction) if p.tan_friction > 0.0 else strength
 
 
-def _dilation_cutoff(p: Mapping[str, Any], parameters: Any, joint: JointProperties, compression: float) -> float:
+def _dilation_cutoff(p: ContactProperties, parameters: Any, joint: JointProperties, compression: float) -> float:
     """Slip (m) at which dilation ends; where none is given, the slip at which the cohesion has gone.
 
     "Gone" is 1 % left of the curve at a compression (Pa). A brittle contact loses it at once, so it does not dilate
     unless a cut-off is given.
     """
-    if p.get("dilation_cutoff") is not None:
-        return p["dilation_cutoff"]
-    peak = p["cohesion"] + compression * p["tan_friction"]
+    if p.dilation_cutoff is not None:
+        return p.dilation_cutoff
+    assert p.cohesion is not None and p.tan_friction is not None
+    peak = p.cohesion + compression * p.tan_friction
     residual = peak - float(lost_in_shear(joint, compression))
 
     def gone(slip: float) -> bool:

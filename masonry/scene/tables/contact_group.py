@@ -1,6 +1,7 @@
 """Tables of a scene for a group of contacts, and for the material of a group of blocks."""
 
 import math
+from dataclasses import fields
 from itertools import pairwise
 from typing import Annotated, Any, Literal
 
@@ -12,6 +13,7 @@ from pydantic import (
     model_validator,
 )
 
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.laws.restitution import share_of_critical
 from masonry.quantity import convert
 from masonry.scene.tables.types import (
@@ -87,22 +89,16 @@ class Contact(Table):
         """Keys that a law of another package adds (see law_keys.py)."""
         return tuple(key for key in type(self).model_fields if key not in Contact.model_fields)
 
-    def properties(self, turns_back: bool = False) -> dict[str, Any]:
-        """SI values by name, as `factory.build` takes them; turns_back: whether loading does, where it matters."""
-        keys = (
-            *("law", "normal_stiffness", "shear_stiffness", "tensile_strength", "cohesion", "tan_friction"),
-            *("residual_cohesion", "tan_residual_friction", "fracture_energy_mode_1", "fracture_energy_mode_2"),
-            *("fracture_energy_mode_2_slope", "exponent_tension", "exponent_shear", "dilation_angle"),
-            *("dilation_cutoff", "unloading", "softening_variable", "coupling", "crushing", "compressive_strength"),
-            *("fracture_energy_compression", "closing_at_peak", "cap_shear_factor", *self.law_keys),
-        )
-        values = {key: getattr(self, key) for key in keys}
-        if self.normal_dashpot is not None:
-            values["normal_dashpot"] = self.normal_dashpot
+    def properties(self, turns_back: bool = False) -> ContactProperties:
+        """SI values, as `factory.build` takes them; turns_back: whether loading does, where it matters."""
+        values = {
+            entry.name: getattr(self, entry.name) for entry in fields(ContactProperties) if entry.name != "of_law"
+        }
+        values["of_law"] = {key: getattr(self, key) for key in self.law_keys}
         if self.restitution is not None:
-            values |= {"normal_dashpot": share_of_critical(self.restitution), "restitution": self.restitution}
+            values["normal_dashpot"] = share_of_critical(self.restitution)
         default = "plastic" if turns_back else "displacement"
-        return {**values, "softening_variable": self.softening_variable or default}
+        return ContactProperties(**values | {"softening_variable": self.softening_variable or default})
 
     @property
     def tan_friction(self) -> float | None:

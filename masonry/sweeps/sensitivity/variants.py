@@ -107,7 +107,7 @@ def _options(
     return [
         Variant(kind, f"{kind} {text}", {f"contact.{_quoted(name)}.{key}": word for name in groups})
         for word, text in words.items()
-        if any(contact[name].properties(assembly.scene.turns_back)[key] != word for name in groups)
+        if any(contact[name].properties(assembly.scene.turns_back).value(key) != word for name in groups)
     ]
 
 

@@ -12,7 +12,7 @@ from masonry.monitors.collapse import Fallen, LeftFloor
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
     scene, pairs, records = inspection.assembly.scene, inspection.assembly.pairs, inspection.outcome.records
-    if not scene.ground or pairs is None or any(one.get("normal_dashpot") for one in pairs.properties.values()):
+    if not scene.ground or pairs is None or any(one.normal_dashpot for one in pairs.properties.values()):
         return []
     if records.get(Fallen) is None and records.get(LeftFloor) is None:
         return []
