@@ -9,11 +9,14 @@ from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
 
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#17becf", "#bcbd22")
+WIDE = 10.0
+"""Ratio of the longest to the shortest run, beyond which the axis of time is logarithmic."""
 
 
 def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
     """A figure of 1320 pixels in width."""
     from matplotlib.figure import Figure
+    from matplotlib.ticker import FuncFormatter
 
     figure = Figure(figsize=(8.25, 5.2), layout="constrained")
     axes = figure.subplots()
@@ -32,14 +35,25 @@ def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
         axes.plot([x for _, x, _ in line], [y for _, _, y in line], "o-", label=name, markersize=5, **style)
     again = [(x, y) for trial, x, y in points if trial.name == SCATTER]
     if again:
-        axes.plot(*zip(*again, strict=True), "x", color="0.5", label="differs in nothing")
+        axes.plot(*zip(*again, strict=True), "x", color="0.5", label=SCATTER)
     axes.plot(base[1], base[2], "s", color="#222222", markersize=9, label="scene as it is", zorder=3)
     width = 100.0 * error.half_width / size
     axes.axhspan(0.0, width, color="0.9", zorder=0, label="95 % bar of the value without end")
-    axes.set_xscale("log")
+    seconds = [x for _, x, _ in points]
+    if max(seconds) > WIDE * min(seconds):
+        axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(FuncFormatter(_as_number))
+    else:
+        axes.set_xlim(0.0, 1.1 * max(seconds))
     axes.set_yscale("symlog", linthresh=max(width, 1e-6))
-    axes.set_ylim(bottom=0.0)
+    axes.yaxis.set_major_formatter(FuncFormatter(_as_number))
+    axes.set_ylim(0.0, 1.5 * max(width, *(y for _, _, y in points)) or None)
     axes.set(xlabel="processor [s]", ylabel=f"error of the {plain(error.answer.words)} [%]")
     axes.legend(fontsize=9, frameon=False)
     figure.suptitle(plain(wrapped(title, 70)), fontsize=13)
     return figure
+
+
+def _as_number(value: float, _: int) -> str:
+    """A tick in full, not as a power."""
+    return f"{value:g}"
