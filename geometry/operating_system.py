@@ -173,8 +173,8 @@ if sys.platform != "win32":
             return {"HOME": str(folder)}
 
         def limit_process(self, memory: int, seconds: int) -> None:
-            for limit, most in ((resource.RLIMIT_CPU, seconds), (resource.RLIMIT_CORE, 0)):
-                _set_limit(limit, most)
+            for limit, bound in ((resource.RLIMIT_CPU, seconds), (resource.RLIMIT_CORE, 0)):
+                _set_limit(limit, bound)
             _set_limit(resource.RLIMIT_FSIZE, memory)
 
         def replace(self, path: Path, target: Path) -> None:
@@ -189,9 +189,9 @@ if sys.platform != "win32":
         def is_reader_gone(self, error: OSError) -> bool:
             return isinstance(error, BrokenPipeError)
 
-    def _set_limit(limit: int, most: int) -> None:
+    def _set_limit(limit: int, bound: int) -> None:
         hard = resource.getrlimit(limit)[1]
-        resource.setrlimit(limit, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+        resource.setrlimit(limit, (bound if hard == resource.RLIM_INFINITY else min(bound, hard), hard))
 
     SYSTEM = Posix()
 
@@ -226,9 +226,9 @@ if sys.platform == "linux":
                 yield
                 return
             soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-            most = pages * resource.getpagesize() + more
+            total = pages * resource.getpagesize() + more
             bounds = [limit for limit in (soft, hard) if limit != resource.RLIM_INFINITY]
-            resource.setrlimit(resource.RLIMIT_AS, (min([most, *bounds]), hard))
+            resource.setrlimit(resource.RLIMIT_AS, (min([total, *bounds]), hard))
             try:
                 yield
             finally:

@@ -74,7 +74,7 @@ def relax(diagram: PlaneDiagram, times: int) -> None:
 
 def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> float:
     """Move sites (and weights, if laguerre) until nothing is short; returns the energy that is left."""
-    n, left = len(diagram.site), np.inf
+    n, residual = len(diagram.site), np.inf
     to_site, to_weight = np.empty((n, 2)), np.empty(n)
 
     def value(x: np.ndarray, wishes: PlaneTargets) -> tuple[float, np.ndarray]:
@@ -90,12 +90,12 @@ def regularise(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool) -> flo
         wishes = PlaneTargets(target, edge, segment, SIZES_MATTER if laguerre else 0.0, 1.0, 1.0)
         options = {"maxfun": EVALUATIONS, "maxiter": EVALUATIONS, "maxcor": 20}
         minimum = minimize(value, x, (wishes,), "L-BFGS-B", jac=True, callback=_until_enough, options=options)
-        x, left = minimum.x, float(minimum.fun)
+        x, residual = minimum.x, float(minimum.fun)
     diagram.site = x[: 2 * n].reshape(n, 2).copy()
     if laguerre:
         diagram.weight = x[2 * n :].copy()
     diagram.update()
-    return left
+    return residual
 
 
 def _until_enough(intermediate_result: OptimizeResult) -> None:
@@ -103,7 +103,7 @@ def _until_enough(intermediate_result: OptimizeResult) -> None:
         raise StopIteration
 
 
-def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-10, most: int = 60) -> bool:
+def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-10, iterations: int = 60) -> bool:
     """Newton's method on the weights until every area is its target (n,); damped so that no cell dries up.
 
     Kitagawa, Merigot and Thibert (2019). Returns whether all areas are within the tolerance of their targets.
@@ -111,8 +111,8 @@ def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-
     if not diagram.update():
         return False
     area = areas_and_centroids(diagram)[0]
-    least = 0.5 * min(area.min(), target.min())
-    for _ in range(most):
+    minimum = 0.5 * min(area.min(), target.min())
+    for _ in range(iterations):
         lack = target - area
         if np.abs(lack / target).max() <= tolerance:
             return True
@@ -122,7 +122,7 @@ def hold_sizes(diagram: PlaneDiagram, target: np.ndarray, tolerance: float = 1e-
             if diagram.update():
                 area = areas_and_centroids(diagram)[0]
                 progress = np.linalg.norm(target - area) <= (1 - 0.5 * fraction) * np.linalg.norm(lack)
-                if area.min() >= least and progress:
+                if area.min() >= minimum and progress:
                     break
             fraction *= 0.5
         else:

@@ -60,13 +60,13 @@ def _divided(
     begin = time.perf_counter()
     h = float(np.sqrt(target.sum() / len(target)))
     domains = plane_domains(polygons, counts, h)
-    best, least = None, np.inf
+    best, minimum = None, np.inf
     for seeds in sites:
         with threadpool_limits(1):  # threads of BLAS make the many small products ten times slower
-            diagram, left = _attempt(plane_diagram(domains, seeds / h), target / h**2, laguerre, regular)
-        if best is None or left < least:
-            best, least = diagram, left
-        if least <= SETTLED or not regular:
+            diagram, residual = _attempt(plane_diagram(domains, seeds / h), target / h**2, laguerre, regular)
+        if best is None or residual < minimum:
+            best, minimum = diagram, residual
+        if minimum <= SETTLED or not regular:
             break
     assert best is not None
     if np.any(best.count < 3):
@@ -78,14 +78,14 @@ def _divided(
 
 
 def _attempt(diagram: PlaneDiagram, target: np.ndarray, laguerre: bool, regular: bool) -> tuple[PlaneDiagram, float]:
-    left = 0.0
+    residual = 0.0
     if regular:
         relax(diagram, RELAXATIONS)
         if laguerre:
             hold_sizes(diagram, target, tolerance=0.05)
-        left = regularise(diagram, target, laguerre)
+        residual = regularise(diagram, target, laguerre)
     if not diagram.update():
-        left = np.inf
+        residual = np.inf
     elif laguerre and not hold_sizes(diagram, target):
-        left += 1.0
-    return diagram, left
+        residual += 1.0
+    return diagram, residual

@@ -56,20 +56,20 @@ def cut_cell(i, site, weight, order, place, rank, heaviest, at, label, spare, sp
     x, z = site[i, 0], site[i, 1]
     reach = _reach(at, count, x, z)
     bonus = min(0.0, weight[i] - heaviest)
-    left, right = rank - 1, rank + 1
-    while left >= 0 or right < len(order):
-        to_left = place[rank] - place[left] if left >= 0 else np.inf
-        to_right = place[right] - place[rank] if right < len(order) else np.inf
+    lower, upper = rank - 1, rank + 1
+    while lower >= 0 or upper < len(order):
+        to_left = place[rank] - place[lower] if lower >= 0 else np.inf
+        to_right = place[upper] - place[rank] if upper < len(order) else np.inf
         distance = min(to_left, to_right)
         level = 0.5 * (distance * distance + bonus)  # no cell from here on cuts nearer than level / distance
         if level > 0.0 and level * level >= distance * distance * reach:
             break
         if to_left <= to_right:
-            j = order[left]
-            left -= 1
+            j = order[lower]
+            lower -= 1
         else:
-            j = order[right]
-            right += 1
+            j = order[upper]
+            upper += 1
         a, b = site[j, 0] - x, site[j, 1] - z
         square = a * a + b * b
         level = 0.5 * (square + weight[i] - weight[j])  # a (X - x) + b (Z - z) <= level

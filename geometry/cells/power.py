@@ -96,9 +96,9 @@ def _solve(
             half = (distance**2 + weight[first] - weight[towards]) / (2 * distance)
             direction = direction / distance[:, None]
         outward = domain.normal[np.where(wall, other - n, 0)]
-        beyond = domain.offset[np.where(wall, other - n, 0)] - np.einsum("fi,fi->f", outward, site[first])
+        wall_level = domain.offset[np.where(wall, other - n, 0)] - np.einsum("fi,fi->f", outward, site[first])
         normal[:, k] = np.where(wall[:, None], outward, direction)
-        level[:, k] = np.where(wall, beyond, half)
+        level[:, k] = np.where(wall, wall_level, half)
     quality = np.abs(np.linalg.det(normal))
     sound = np.isfinite(quality) & (quality > 1e-7)
     place = rough.copy()
@@ -137,14 +137,14 @@ def _faces(
     is_face = corners >= 3
     vertex, face = vertex[is_face[face]], (np.cumsum(is_face) - 1)[face[is_face[face]]]
     names, corners = names[is_face], corners[is_face]
-    cell, beyond = names // everything, names % everything
-    wall = beyond >= n
+    cell, neighbour = names // everything, names % everything
+    wall = neighbour >= n
     outward = np.where(
-        wall[:, None], domain.normal[np.where(wall, beyond - n, 0)], site[np.minimum(beyond, n - 1)] - site[cell]
+        wall[:, None], domain.normal[np.where(wall, neighbour - n, 0)], site[np.minimum(neighbour, n - 1)] - site[cell]
     )
     start = np.concatenate([[0], np.cumsum(corners)])
     angle = _angles(place[vertex], face, start, outward)
-    return start, vertex[np.lexsort((angle, face))], cell, np.where(wall, ~(beyond - n), beyond)
+    return start, vertex[np.lexsort((angle, face))], cell, np.where(wall, ~(neighbour - n), neighbour)
 
 
 def _angles(place: np.ndarray, face: np.ndarray, start: np.ndarray, outward: np.ndarray) -> np.ndarray:

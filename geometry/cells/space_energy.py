@@ -34,7 +34,7 @@ class Cut(NamedTuple):
     level: np.ndarray
     corner: np.ndarray
     place: np.ndarray
-    left: np.ndarray
+    edge_corner: np.ndarray
     outside: np.ndarray
     rim: np.ndarray
     used: np.ndarray
@@ -88,7 +88,7 @@ def room() -> Cut:
         level=np.zeros(MOST_FACES),
         corner=np.zeros((MOST_CORNERS, 3), dtype=np.int64),
         place=np.zeros((MOST_CORNERS, 3)),
-        left=np.zeros((MOST_FACES, MOST_FACES), dtype=np.int32),
+        edge_corner=np.zeros((MOST_FACES, MOST_FACES), dtype=np.int32),
         outside=np.zeros(MOST_CORNERS, dtype=np.bool_),
         rim=np.zeros((MOST_CORNERS, 2), dtype=np.int64),
         used=np.zeros(3, dtype=np.int64),
@@ -114,7 +114,7 @@ def _add_corner(cut, p, q, r):
     t = cut.used[1]
     cut.used[1] = t + 1
     cut.corner[t, 0], cut.corner[t, 1], cut.corner[t, 2] = p, q, r
-    cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = t
+    cut.edge_corner[p, q] = cut.edge_corner[q, r] = cut.edge_corner[r, p] = t
     ux, uy, uz, vx, vy, vz, wx, wy, wz, det = _crosses(cut, p, q, r)
     if det == 0.0:
         det = 1e-300
@@ -162,7 +162,7 @@ def _clip(cut, label, ax, ay, az, level):
         if cut.outside[t]:
             for k in range(3):
                 p, q = cut.corner[t, k], cut.corner[t, (k + 1) % 3]
-                if not cut.outside[cut.left[q, p]]:
+                if not cut.outside[cut.edge_corner[q, p]]:
                     cut.rim[rim, 0], cut.rim[rim, 1] = p, q
                     rim += 1
     if corners - gone + rim > MOST_CORNERS:
@@ -177,7 +177,7 @@ def _clip(cut, label, ax, ay, az, level):
                 p, q, r = cut.corner[t]
                 cut.corner[stay, 0], cut.corner[stay, 1], cut.corner[stay, 2] = p, q, r
                 cut.place[stay, 0], cut.place[stay, 1], cut.place[stay, 2] = cut.place[t]
-                cut.left[p, q] = cut.left[q, r] = cut.left[r, p] = stay
+                cut.edge_corner[p, q] = cut.edge_corner[q, r] = cut.edge_corner[r, p] = stay
             stay += 1
     cut.used[1] = stay
     for k in range(rim):
@@ -188,11 +188,11 @@ def _clip(cut, label, ax, ay, az, level):
 @compiled
 def _reach(cut):
     """Distance of the farthest corner from the site."""
-    most = 0.0
+    maximum = 0.0
     for t in range(cut.used[1]):
         x, y, z = cut.place[t]
-        most = max(most, x * x + y * y + z * z)
-    return np.sqrt(most)
+        maximum = max(maximum, x * x + y * y + z * z)
+    return np.sqrt(maximum)
 
 
 @compiled
@@ -205,8 +205,8 @@ def _cut_by(i, j, diagram, cut, reach):
     level = 0.5 * (square + diagram.weight[i] - diagram.weight[j])
     if level * abs(level) >= reach * reach * square:
         return reach
-    left = _clip(cut, j, ax, ay, az, level)
-    return _reach(cut) if left == 1 else float(left)
+    status = _clip(cut, j, ax, ay, az, level)
+    return _reach(cut) if status == 1 else float(status)
 
 
 @compiled
@@ -223,9 +223,9 @@ def cut_cell(i, diagram, cut):
         x, y, z = diagram.site[i]
         level = diagram.offset[w] - ax * x - ay * y - az * z
         if level < reach:
-            left = _clip(cut, diagram.wall[w], ax, ay, az, level)
-            if left < 1:
-                return float(left)
+            status = _clip(cut, diagram.wall[w], ax, ay, az, level)
+            if status < 1:
+                return float(status)
             reach = _reach(cut)
     if reach > diagram.horizon[i]:
         cut.used[2] += 1
@@ -244,13 +244,13 @@ def find_horizons(site, weight, near, horizon):
     for i in range(len(site)):
         listed[near[i]] = True
         listed[i] = True
-        least = np.inf
+        minimum = np.inf
         for j in range(len(site)):
             if not listed[j]:
                 x, y, z = site[j, 0] - site[i, 0], site[j, 1] - site[i, 1], site[j, 2] - site[i, 2]
                 square = x * x + y * y + z * z
-                least = min(least, 0.5 * (square + weight[i] - weight[j]) / np.sqrt(square))
-        horizon[i] = least
+                minimum = min(minimum, 0.5 * (square + weight[i] - weight[j]) / np.sqrt(square))
+        horizon[i] = minimum
         listed[near[i]] = False
         listed[i] = False
 
@@ -291,7 +291,7 @@ def _next(cut, p, t):
     """The corner after t round face p, counter-clockwise."""
     for k in range(3):
         if cut.corner[t, k] == p:
-            return cut.left[p, cut.corner[t, (k + 2) % 3]]
+            return cut.edge_corner[p, cut.corner[t, (k + 2) % 3]]
     return t
 
 
@@ -332,14 +332,14 @@ def _push(cut, i, t, gx, gy, gz, site, to_site, to_weight):
 
 
 @compiled
-def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
+def _edges(cut, i, wishes, site, to_site, to_weight, pulls, sides):
     """The cell's share of the energy of its short edges."""
     total = 0.0
-    wanted[: cut.used[1]] = 0.0
+    pulls[: cut.used[1]] = 0.0
     for t in range(cut.used[1]):
         for k in range(3):
             p, q = cut.corner[t, k], cut.corner[t, (k + 1) % 3]
-            s = cut.left[q, p]
+            s = cut.edge_corner[q, p]
             if s <= t:
                 continue
             x = cut.place[t, 0] - cut.place[s, 0]
@@ -362,16 +362,16 @@ def _edges(cut, i, wishes, site, to_site, to_weight, wanted, sides):
                     weight *= wishes.of_triangles
                 total += short * short * weight
                 pull = -2 * short / threshold / length * weight
-                wanted[t, 0] += pull * x
-                wanted[t, 1] += pull * y
-                wanted[t, 2] += pull * z
-                wanted[s, 0] -= pull * x
-                wanted[s, 1] -= pull * y
-                wanted[s, 2] -= pull * z
+                pulls[t, 0] += pull * x
+                pulls[t, 1] += pull * y
+                pulls[t, 2] += pull * z
+                pulls[s, 0] -= pull * x
+                pulls[s, 1] -= pull * y
+                pulls[s, 2] -= pull * z
     if total > 0:
         for t in range(cut.used[1]):
-            if wanted[t, 0] != 0.0 or wanted[t, 1] != 0.0 or wanted[t, 2] != 0.0:
-                _push(cut, i, t, wanted[t, 0], wanted[t, 1], wanted[t, 2], site, to_site, to_weight)
+            if pulls[t, 0] != 0.0 or pulls[t, 1] != 0.0 or pulls[t, 2] != 0.0:
+                _push(cut, i, t, pulls[t, 0], pulls[t, 1], pulls[t, 2], site, to_site, to_weight)
     return total
 
 
@@ -408,19 +408,19 @@ def energy(cells, diagram, wishes, cut, of_cell, to_site, to_weight):
     to_site[:] = 0.0
     to_weight[:] = 0.0
     start, sides = np.empty(MOST_FACES, dtype=np.int64), np.empty(MOST_FACES, dtype=np.int64)
-    face, wanted = np.empty((MOST_FACES, 5)), np.empty((MOST_CORNERS, 3))
+    face, pulls = np.empty((MOST_FACES, 5)), np.empty((MOST_CORNERS, 3))
     for i in cells:
         if cut_cell(i, diagram, cut) <= 0:
             return np.inf
         _some_corner(cut, start, sides)
         of_cell[i] = _size(cut, i, wishes, diagram.site, to_site, to_weight, start, face)
-        of_cell[i] += _edges(cut, i, wishes, diagram.site, to_site, to_weight, wanted, sides)
+        of_cell[i] += _edges(cut, i, wishes, diagram.site, to_site, to_weight, pulls, sides)
         total += of_cell[i]
     return total
 
 
 @compiled
-def measure(diagram, cut, volume, centroid, faces, beyond, area):
+def measure(diagram, cut, volume, centroid, faces, neighbours, area):
     """Volume (n,) and centroid (n, 3) of all cells; their faces (n,), cells beyond (n, MOST_FACES) and areas."""
     start, sides = np.empty(MOST_FACES, dtype=np.int64), np.empty(MOST_FACES, dtype=np.int64)
     for i in range(len(diagram.site)):
@@ -439,7 +439,7 @@ def measure(diagram, cut, volume, centroid, faces, beyond, area):
                 y += part * my
                 z += part * mz
                 if cut.label[p] >= 0:
-                    beyond[i, faces[i]], area[i, faces[i]] = cut.label[p], a
+                    neighbours[i, faces[i]], area[i, faces[i]] = cut.label[p], a
                     faces[i] += 1
         if volume[i] > 0:
             centroid[i, 0] += 0.75 * x / volume[i]

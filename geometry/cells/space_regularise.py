@@ -53,7 +53,7 @@ def settle(diagram: SpaceDiagram, target: np.ndarray, laguerre: bool, relaxation
     relax(diagram, relaxations)
     for _ in range(relaxations):
         if laguerre:
-            hold_sizes(diagram, target, tolerance=0.1, most=3)
+            hold_sizes(diagram, target, tolerance=0.1, iterations=3)
         relax(diagram, 1)
 
 
@@ -61,8 +61,8 @@ def regularise(diagram: SpaceDiagram, target: np.ndarray, laguerre: bool, rng: n
     """Move sites (and weights, if laguerre) until no edge is small, and sizes are their targets (n,)."""
     settle(diagram, target, laguerre)
     if laguerre:
-        hold_sizes(diagram, target, tolerance=0.01, most=20)
-    best, least = (diagram.site, diagram.weight), np.inf
+        hold_sizes(diagram, target, tolerance=0.01, iterations=20)
+    best, minimum = (diagram.site, diagram.weight), np.inf
     for number in range(1 + min(ROUNDS, TRIED_AGAIN // diagram.count)):
         if number > 1:
             _shake(diagram, rng)
@@ -71,10 +71,10 @@ def regularise(diagram: SpaceDiagram, target: np.ndarray, laguerre: bool, rng: n
         if laguerre:
             hold_sizes(diagram, target)
         lack = float(np.sum(1 - _short_edges(diagram)[1] / SMALL))
-        if lack < least:
-            best, least = (diagram.site, diagram.weight), lack
+        if lack < minimum:
+            best, minimum = (diagram.site, diagram.weight), lack
         diagram.site, diagram.weight = best
-        if least == 0.0:
+        if minimum == 0.0:
             break
 
 
@@ -94,8 +94,8 @@ def _descend(diagram: SpaceDiagram, target: np.ndarray, stage: Stage, laguerre: 
         return total, np.concatenate(slope)
 
     x = np.concatenate([diagram.site.ravel(), diagram.weight]) if laguerre else diagram.site.ravel().copy()
-    most = stage.evaluations
-    options = {"maxfun": most, "maxiter": most, "maxcor": 20, "ftol": 1e-10}
+    evaluations = stage.evaluations
+    options = {"maxfun": evaluations, "maxiter": evaluations, "maxcor": 20, "ftol": 1e-10}
     value(minimize(value, x, jac=True, method="L-BFGS-B", callback=_until_enough, options=options).x)
 
 

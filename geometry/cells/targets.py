@@ -20,8 +20,8 @@ def share_out(request: CellRequest, volume: np.ndarray, depth: np.ndarray) -> np
         counts = np.maximum(1, np.rint(request.per_unit * volume / volume.max())).astype(np.int64)
     else:
         assert request.size is not None
-        one = request.size**3 if request.space else request.size**2 * depth
-        counts = np.maximum(1, np.rint(np.minimum(volume / one, 1e9))).astype(np.int64)
+        cell_volume = request.size**3 if request.space else request.size**2 * depth
+        counts = np.maximum(1, np.rint(np.minimum(volume / cell_volume, 1e9))).astype(np.int64)
     if counts.sum() > MOST_CELLS:
         raise GeometryError(f"cells: this would make {counts.sum()} cells; at most {MOST_CELLS} are allowed")
     return counts

@@ -45,9 +45,9 @@ class SpaceDiagram:
         n = self.count
         k = min(NEIGHBOURS, n - 1)
         distance, near = cKDTree(self.site).query(self.site, [*range(1, k + 2)])
-        own = near == np.arange(n)[:, None]
-        own[~own.any(axis=1), -1] = True
-        self._near, self._apart = near[~own].reshape(n, k).astype(np.int64), distance[:, -1]
+        is_self = near == np.arange(n)[:, None]
+        is_self[~is_self.any(axis=1), -1] = True
+        self._near, self._apart = near[~is_self].reshape(n, k).astype(np.int64), distance[:, -1]
         find_horizons(self.site, self.weight, self._near, self._horizon)
         self._listed_at = self.site.copy(), self.weight.copy()
 
@@ -102,7 +102,7 @@ def relax(diagram: SpaceDiagram, times: int) -> None:
         diagram.site = np.where((diagram.volume > 0)[:, None], diagram.centroid, diagram.site)
 
 
-def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-10, most: int = 60) -> bool:
+def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-10, iterations: int = 60) -> bool:
     """Newton's method on the weights until every volume is its target (n,); damped so that no cell dries up.
 
     Kitagawa, Merigot and Thibert (2019). Returns whether all volumes are within the tolerance of their targets. Where
@@ -112,8 +112,8 @@ def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-
         diagram.weight = np.zeros_like(diagram.weight)
         if not diagram.update():
             return False
-    least = 0.5 * min(diagram.volume.min(), target.min())
-    for _ in range(most):
+    minimum = 0.5 * min(diagram.volume.min(), target.min())
+    for _ in range(iterations):
         lack = target - diagram.volume
         if np.abs(lack / target).max() <= tolerance:
             return True
@@ -122,7 +122,7 @@ def hold_sizes(diagram: SpaceDiagram, target: np.ndarray, tolerance: float = 1e-
             diagram.weight = before + fraction * step
             whole = diagram.update()
             progress = np.linalg.norm(target - diagram.volume) <= (1 - 0.5 * fraction) * np.linalg.norm(lack)
-            if whole and diagram.volume.min() >= least and progress:
+            if whole and diagram.volume.min() >= minimum and progress:
                 break
             fraction *= 0.5
         else:

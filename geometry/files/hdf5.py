@@ -28,9 +28,9 @@ class _Disk(io.FileIO):
     def write(self, content: Any) -> int:
         if self.error is None:
             try:
-                left = memoryview(content)
-                while left.nbytes:
-                    left = left[super().write(left) :]
+                remaining = memoryview(content)
+                while remaining.nbytes:
+                    remaining = remaining[super().write(remaining) :]
             except OSError as error:
                 self.error = error
         return memoryview(content).nbytes
@@ -60,7 +60,7 @@ def require_plain(file: Any, path: Path) -> None:
     """Raise ValueError unless every member of the h5py file is a group or array of its own, and all fit into memory."""
     import h5py
 
-    total, most = 0, min(LARGEST, PACKED * path.stat().st_size + SPARE)
+    total, maximum = 0, min(LARGEST, PACKED * path.stat().st_size + SPARE)
     waiting, seen = [("", file)], {hash(file.id)}
     while waiting:
         above, group = waiting.pop()
@@ -76,8 +76,8 @@ def require_plain(file: Any, path: Path) -> None:
                 waiting.append((f"{where}/", member))
                 continue
             total += _size(member, where)
-            if total > most:
-                raise ValueError(f"its arrays claim more than {most} bytes")
+            if total > maximum:
+                raise ValueError(f"its arrays claim more than {maximum} bytes")
 
 
 def _size(data: Any, where: str) -> int:

@@ -36,25 +36,25 @@ class _Products:
     colour: dict[int, Colour] = field(default_factory=dict)
 
 
-def labels(entities: Records, most: int) -> list[Label]:
-    """The solids of a file by walking down its assemblies; at most `most` of them."""
+def labels(entities: Records, maximum: int) -> list[Label]:
+    """The solids of a file by walking down its assemblies; at most `maximum` of them."""
     products = _products(entities)
     uses = Counter(child for parts in products.parts.values() for child, _, _ in parts)
     solids: list[Label] = []
     corners: dict[int, np.ndarray] = {}
     roots = [p for p in products.name if p not in products.inner]
     repeated = {child for child, times in uses.items() if times > 1}
-    for product, called, matrix in islice(_walk(products, roots, repeated), 10 * most + 1000):
-        own = products.solids.get(product, [])
-        for solid in own:
-            if len(solids) == most:
+    for product, called, matrix in islice(_walk(products, roots, repeated), 10 * maximum + 1000):
+        product_solids = products.solids.get(product, [])
+        for solid in product_solids:
+            if len(solids) == maximum:
                 return solids
             if solid not in corners:
                 corners[solid] = _corners(entities, solid)
             title = _title(entities, solid)
             solids.append(
                 Label(
-                    title if title and (len(own) > 1 or not called) else called,
+                    title if title and (len(product_solids) > 1 or not called) else called,
                     products.colour.get(solid),
                     corners[solid] @ matrix[:3, :3].T + matrix[:3, 3],
                 )
@@ -73,11 +73,11 @@ def match(entries: list[Label], corners: list[np.ndarray]) -> np.ndarray:
         np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in (x.corners for x in entries) if len(c)
     ]
     number = np.array([n for n, x in enumerate(entries) if len(x.corners)])
-    wanted = np.array([np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in corners])
+    target = np.array([np.concatenate([c.min(axis=0), c.max(axis=0), c.mean(axis=0)]) for c in corners])
     if len(key) == 0:
         return np.full(len(corners), -1)
-    distance, nearest = cKDTree(np.array(key)).query(wanted)
-    size = np.linalg.norm(wanted[:, 3:6] - wanted[:, :3], axis=1)
+    distance, nearest = cKDTree(np.array(key)).query(target)
+    size = np.linalg.norm(target[:, 3:6] - target[:, :3], axis=1)
     result = np.where(distance <= 1e-4 * size, number[nearest], -1)
     order = np.arange(len(corners))
     return order if len(entries) == len(corners) and np.all((result == order) | (result < 0)) else result
@@ -101,14 +101,14 @@ def _products(entities: Records) -> _Products:
             represented[others[0]] = owner[-1]
     for number in of_kind.get("SHAPE_REPRESENTATION_RELATIONSHIP", []):
         ends = refer[number]
-        for one, other in (ends[:2], ends[1::-1]) if len(ends) >= 2 else ():
-            if one in represented:
-                represented.setdefault(other, represented[one])
+        for first, other in (ends[:2], ends[1::-1]) if len(ends) >= 2 else ():
+            if first in represented:
+                represented.setdefault(other, represented[first])
     for representation, product in represented.items():
         items = references(entities.get(representation, ("", ""))[1])
         result.solids.setdefault(product, []).extend(i for i in items if entities.get(i, ("",))[0] in SOLIDS)
     _assemble(result, of_kind, refer)
-    result.colour = colours(entities, of_kind, (n for own in result.solids.values() for n in own))
+    result.colour = colours(entities, of_kind, (n for numbers in result.solids.values() for n in numbers))
     return result
 
 
@@ -161,8 +161,8 @@ def _walk(products: _Products, roots: list[int], repeated: set[int]) -> Iterator
         yield product, called, matrix
         if depth < DEEPEST:
             for child, use, place in reversed(products.parts.get(product, [])):
-                own = products.name.get(child, "")
-                waiting.append((child, use if use and child in repeated else own, matrix @ place, depth + 1))
+                own_name = products.name.get(child, "")
+                waiting.append((child, use if use and child in repeated else own_name, matrix @ place, depth + 1))
 
 
 def _corners(entities: Records, solid: int) -> np.ndarray:

@@ -126,9 +126,9 @@ def colours(entities: Records, of_kind: dict[str, list[int]], solids: Iterable[i
     result = {}
     for solid in solids:
         below = [solid, *(n for shell in references(entities[solid][1]) for n in _below(entities, shell))]
-        own = next((painted[n] for n in below if n in painted), None)
-        if own is not None:
-            result[solid] = own
+        own_colour = next((painted[n] for n in below if n in painted), None)
+        if own_colour is not None:
+            result[solid] = own_colour
     return result
 
 

@@ -88,9 +88,9 @@ def _units(step: _Entities) -> str:
     metre = step.add("( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT($,.METRE.) )")
     radian = step.add("( NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.) )")
     steradian = step.add("( NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT() )")
-    least = step.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-10),{metre},'distance_accuracy_value','')")
+    precision = step.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-10),{metre},'distance_accuracy_value','')")
     return step.add(
-        f"( GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({least})) "
+        f"( GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({precision})) "
         f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({metre},{radian},{steradian})) REPRESENTATION_CONTEXT('','3D') )"
     )
 

@@ -70,16 +70,16 @@ def _connected(tets: np.ndarray, label: np.ndarray) -> tuple[np.ndarray, tuple[n
     same = np.all(ordered[1:] == ordered[:-1], axis=1)
     if np.any(same[1:] & same[:-1]):
         raise GeometryError("three tets share one face: some of them overlap")
-    one, two = order[:-1][same], order[1:][same]
-    if np.any(positive[one] == positive[two]):
-        tet = int(one[np.argmax(positive[one] == positive[two])]) // 4
+    side_a, side_b = order[:-1][same], order[1:][same]
+    if np.any(positive[side_a] == positive[side_b]):
+        tet = int(side_a[np.argmax(positive[side_a] == positive[side_b])]) // 4
         raise GeometryError(f"tet {tet} overlaps the tet on its face, or is there twice")
-    joined = label[one // 4] == label[two // 4]
-    link = coo_array((np.ones(joined.sum()), (one[joined] // 4, two[joined] // 4)), shape=(len(tets),) * 2)
+    joined = label[side_a // 4] == label[side_b // 4]
+    link = coo_array((np.ones(joined.sum()), (side_a[joined] // 4, side_b[joined] // 4)), shape=(len(tets),) * 2)
     part = connected_components(link, directed=False)[1]
     rank = np.argsort(np.argsort(np.unique(part, return_index=True)[1]))
     inside = np.zeros(len(tets) * 4, dtype=bool)
-    inside[one[joined]] = inside[two[joined]] = True
+    inside[side_a[joined]] = inside[side_b[joined]] = True
     surface = np.flatnonzero(~inside)
     return rank[part], (surface // 4, surface % 4)
 

@@ -60,9 +60,9 @@ def _require_whole_faces(blocks: Blocks, skeleton: Imprint) -> None:
 
 def _faces_of_blocks(skeleton: Imprint, surface: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Block and triangle of every triangle on every block, block by block; surface (M,) of each triangle, rising."""
-    first, own = np.searchsorted(surface, np.arange(len(skeleton.surface_start))), skeleton.block_surfaces.entry
+    first, entry = np.searchsorted(surface, np.arange(len(skeleton.surface_start))), skeleton.block_surfaces.entry
     block = np.repeat(np.arange(skeleton.block_surfaces.count), skeleton.block_surfaces.lengths)
-    pair, triangle = ranges(first[own], np.diff(first)[own])
+    pair, triangle = ranges(first[entry], np.diff(first)[entry])
     return block[pair], triangle
 
 

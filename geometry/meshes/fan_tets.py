@@ -38,8 +38,8 @@ def fan_tets(blocks: Blocks, which: np.ndarray) -> TetMesh:
     return gathered(blocks.count, parts)
 
 
-def _fans(blocks: Blocks, wanted: np.ndarray) -> TetMesh:
-    faces = np.flatnonzero(wanted[blocks.face_block()])
+def _fans(blocks: Blocks, mask: np.ndarray) -> TetMesh:
+    faces = np.flatnonzero(mask[blocks.face_block()])
     size = np.diff(blocks.face_start)[faces]
     owner = blocks.face_block()[faces]
     middle = face_areas_normals_centroids(blocks)[2][faces]

@@ -103,12 +103,12 @@ def _between_nodes(joints: Joints, pieces: OverlapPieces, which: np.ndarray, of_
 
 def _shape_functions(corner: np.ndarray, point: np.ndarray) -> np.ndarray:
     """(n, 3) shape functions of triangles (n, 3, 3) at points within them (n, 3)."""
-    one, two, arm = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0], point - corner[:, 0]
-    normal = np.cross(one, two)
+    side_a, side_b, arm = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0], point - corner[:, 0]
+    normal = np.cross(side_a, side_b)
     square = np.einsum("ni,ni->n", normal, normal)
     square = np.where(square > 0, square, 1.0)
-    second = np.einsum("ni,ni->n", np.cross(arm, two), normal) / square
-    third = np.einsum("ni,ni->n", np.cross(one, arm), normal) / square
+    second = np.einsum("ni,ni->n", np.cross(arm, side_b), normal) / square
+    third = np.einsum("ni,ni->n", np.cross(side_a, arm), normal) / square
     fraction = np.maximum(np.stack([1.0 - second - third, second, third], axis=1), 0.0)
     return fraction / fraction.sum(axis=1, keepdims=True)
 

@@ -97,8 +97,8 @@ def _parents(joints: Joints, fine: Joints, middle: np.ndarray, width: float) -> 
     blocks = int(max(joints.block_b.max(initial=0), fine.block_b.max(initial=0))) + 1
     key = joints.block_a[of] * blocks + joints.block_b[of]
     order = np.argsort(key, kind="stable")
-    wanted = fine.block_a[first] * blocks + fine.block_b[first]
-    begin, end = (np.searchsorted(key[order], wanted, side=side) for side in ("left", "right"))
+    pair_key = fine.block_a[first] * blocks + fine.block_b[first]
+    begin, end = (np.searchsorted(key[order], pair_key, side=side) for side in ("left", "right"))
     polygon, _ = pad(joints.patch_points, joints.patch_start, np.arange(len(joints.patch_points)))
     normal = joints.normal[of]
     edge = np.roll(polygon, -1, axis=1) - polygon
@@ -111,10 +111,10 @@ def _parents(joints: Joints, fine: Joints, middle: np.ndarray, width: float) -> 
         p = order[begin[which] + k]
         arm = middle[which, None] - polygon[p]
         outside = -np.einsum("nki,nki->nk", arm, inward[p]).min(axis=1)
-        off = np.maximum(outside, np.abs(np.einsum("ni,ni->n", arm[:, 0], normal[p])))
-        off[np.einsum("ni,ni->n", normal[p], fine.normal[first[which]]) < 0.999] = np.inf
-        better = off < nearest[which]
-        parent[which[better]], nearest[which[better]] = p[better], off[better]
+        distance = np.maximum(outside, np.abs(np.einsum("ni,ni->n", arm[:, 0], normal[p])))
+        distance[np.einsum("ni,ni->n", normal[p], fine.normal[first[which]]) < 0.999] = np.inf
+        better = distance < nearest[which]
+        parent[which[better]], nearest[which[better]] = p[better], distance[better]
     if np.any(nearest > width):
         block = int(fine.block_a[first[int(np.argmax(nearest))]])
         raise GeometryError(f"the tets of block {block} reach beyond its faces")

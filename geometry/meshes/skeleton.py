@@ -47,19 +47,19 @@ class _Cover(NamedTuple):
     outward: np.ndarray
 
 
-def imprint(blocks: Blocks, wanted: np.ndarray, joints: Joints) -> Imprint:
-    """The skeleton of the wanted blocks (B,) with every joint polygon on them as a surface of its own."""
+def imprint(blocks: Blocks, mask: np.ndarray, joints: Joints) -> Imprint:
+    """The skeleton of the blocks of a mask (B,) with every joint polygon on them as a surface of its own."""
     width, owner = 1e-9 * extent(blocks), blocks.face_block()
     first = np.searchsorted(joints.patch, np.arange(len(joints.patch_start) - 1))
     sides = np.stack([joints.block_a[first], joints.block_b[first]], axis=1)
-    patches, faces = np.flatnonzero(wanted[sides].any(axis=1)), np.flatnonzero(wanted[owner])
+    patches, faces = np.flatnonzero(mask[sides].any(axis=1)), np.flatnonzero(mask[owner])
     of_faces = Lists(blocks.face_start, blocks.face_points).taken(faces)
     of_patches = Lists(joints.patch_start, np.arange(len(joints.patch_points))).taken(patches)
     corners = np.concatenate([blocks.points[of_faces.entry], joints.patch_points[of_patches.entry]])
     vertices, loops = weld_loops(corners, of_faces.followed_by(of_patches).start, width)
     loops = split_edges(vertices, loops, width)
 
-    patch, side = np.nonzero(wanted[sides[patches]])
+    patch, side = np.nonzero(mask[sides[patches]])
     under = patch_faces(blocks, joints)[patches][patch, side]
     lies = under >= 0
     cover = _Cover(np.searchsorted(faces, under[lies]), len(faces) + patch[lies], side[lies] == 0)
@@ -100,7 +100,11 @@ def _free_parts(
     number = Lists(np.arange(len(whole) + 1), whole).followed_by(Lists(start, loops.count + np.arange(start[-1])))
     face = np.append(whole, np.array(cut, dtype=np.int64))
     order = np.argsort(face, kind="stable")
-    return face[order], number.taken(order), loops.followed_by(Lists.of([loop for one in regions for loop in one]))
+    return (
+        face[order],
+        number.taken(order),
+        loops.followed_by(Lists.of([loop for region in regions for loop in region])),
+    )
 
 
 def _are_filled(vertices: np.ndarray, loops: Lists, cover: _Cover, faces: np.ndarray) -> np.ndarray:

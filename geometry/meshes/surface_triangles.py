@@ -46,12 +46,12 @@ def surface_triangles(vertices: np.ndarray, outlines: Lists) -> tuple[np.ndarray
 def _best_corner(corner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(m,) the corner of each polygon (m, n, 3) whose fan has the best worst triangle, and the quality of that."""
     n = corner.shape[1]
-    least = np.empty((len(corner), n))
+    minimum = np.empty((len(corner), n))
     for apex in range(n):
         rest = np.roll(corner, -apex - 1, axis=1)[:, :-1]
-        least[:, apex] = _quality(corner[:, apex, None], rest[:, :-1], rest[:, 1:]).min(axis=1)
-    best = np.argmax(np.round(least, 9), axis=1)  # rounded: equal corners give the same choice on every machine
-    return best, least[np.arange(len(corner)), best]
+        minimum[:, apex] = _quality(corner[:, apex, None], rest[:, :-1], rest[:, 1:]).min(axis=1)
+    best = np.argmax(np.round(minimum, 9), axis=1)  # rounded: equal corners give the same choice on every machine
+    return best, minimum[np.arange(len(corner)), best]
 
 
 def _central_quality(corner: np.ndarray, middle: np.ndarray) -> np.ndarray:

@@ -36,14 +36,14 @@ def overlapping_boxes(low: np.ndarray, high: np.ndarray) -> np.ndarray:
     box, key = box[order], key[order]
     end = np.flatnonzero(np.append(key[1:] != key[:-1], True)) + 1
     end = np.repeat(end, np.diff(end, prepend=0))
-    one, two = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
+    pair_a, pair_b = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
     for axis, cell in enumerate(cells):  # axis by axis: each leaves fewer pairs to look at
-        i, j = box[one], box[two]
+        i, j = box[pair_a], box[pair_b]
         begin, lowest, highest = (np.ascontiguousarray(values[:, axis]) for values in (first, low, high))
-        overlap = cell[order[one]] == np.maximum(begin[i], begin[j])
+        overlap = cell[order[pair_a]] == np.maximum(begin[i], begin[j])
         overlap &= (lowest[i] <= highest[j]) & (lowest[j] <= highest[i])
-        one, two = one[overlap], two[overlap]
-    i, j = box[one], box[two]
+        pair_a, pair_b = pair_a[overlap], pair_b[overlap]
+    i, j = box[pair_a], box[pair_b]
     pair = np.sort(np.minimum(i, j) * len(low) + np.maximum(i, j))
     return np.stack(np.divmod(pair, len(low)), axis=1)
 

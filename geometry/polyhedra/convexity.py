@@ -39,10 +39,10 @@ def outside(corners: np.ndarray, count: np.ndarray) -> np.ndarray:
     after = np.roll(corners, -1, axis=1) - corners
     bend = np.einsum("nki,ni->nk", np.cross(before, after), normal)
     long, short = np.sort([np.linalg.norm(before, axis=2), np.linalg.norm(after, axis=2)], axis=0)[::-1]
-    off = -bend / np.where(short > 0, short, 1.0)
+    distance = -bend / np.where(short > 0, short, 1.0)
     back = (np.einsum("nki,nki->nk", before, after) < 0) & (bend <= STRAIGHT * long * short)
-    off = np.where(back, np.maximum(off, short), off)
-    return np.max(off, axis=1, initial=0.0, where=column < count[:, None])
+    distance = np.where(back, np.maximum(distance, short), distance)
+    return np.max(distance, axis=1, initial=0.0, where=column < count[:, None])
 
 
 def triangles(corners: np.ndarray) -> np.ndarray:
@@ -56,15 +56,15 @@ def triangles(corners: np.ndarray) -> np.ndarray:
     flat = (corners - corners[0]) @ np.stack([across, np.cross(normal, across)], axis=1)
     if _crosses(flat):
         raise GeometryError("a face whose edges cross cannot be cut into triangles")
-    left, cut = list(range(len(corners))), []
-    while len(left) > 3:
-        ears = [k for k in range(len(left)) if _is_ear(flat, left, k)]
+    remaining, cut = list(range(len(corners))), []
+    while len(remaining) > 3:
+        ears = [k for k in range(len(remaining)) if _is_ear(flat, remaining, k)]
         if not ears:
             raise GeometryError("a face has corners on its own edges and cannot be cut into triangles")
-        best = max(ears, key=lambda k: _narrowest(flat, left, k))
-        cut.append([left[best - 1], left[best], left[(best + 1) % len(left)]])
-        del left[best]
-    return np.array([*cut, left])
+        best = max(ears, key=lambda k: _narrowest(flat, remaining, k))
+        cut.append([remaining[best - 1], remaining[best], remaining[(best + 1) % len(remaining)]])
+        del remaining[best]
+    return np.array([*cut, remaining])
 
 
 def _crosses(flat: np.ndarray) -> bool:
@@ -75,18 +75,20 @@ def _crosses(flat: np.ndarray) -> bool:
     return bool(np.any(apart & apart.T))
 
 
-def _is_ear(flat: np.ndarray, left: list[int], k: int) -> bool:
-    a, b, c = flat[left[k - 1]], flat[left[k]], flat[left[(k + 1) % len(left)]]
+def _is_ear(flat: np.ndarray, remaining: list[int], k: int) -> bool:
+    a, b, c = flat[remaining[k - 1]], flat[remaining[k]], flat[remaining[(k + 1) % len(remaining)]]
     if _cross(b - a, c - b) <= STRAIGHT * np.linalg.norm(b - a) * np.linalg.norm(c - b):
         return False
-    others = flat[[v for i, v in enumerate(left) if i not in (k, (k - 1) % len(left), (k + 1) % len(left))]]
+    others = flat[
+        [v for i, v in enumerate(remaining) if i not in (k, (k - 1) % len(remaining), (k + 1) % len(remaining))]
+    ]
     inside = (_cross(b - a, others - a) >= 0) & (_cross(c - b, others - b) >= 0) & (_cross(a - c, others - c) >= 0)
     return not inside.any()
 
 
-def _narrowest(flat: np.ndarray, left: list[int], k: int) -> float:
+def _narrowest(flat: np.ndarray, remaining: list[int], k: int) -> float:
     """Height over longest side of the triangle at k, squared units cancelled: larger is rounder."""
-    a, b, c = flat[left[k - 1]], flat[left[k]], flat[left[(k + 1) % len(left)]]
+    a, b, c = flat[remaining[k - 1]], flat[remaining[k]], flat[remaining[(k + 1) % len(remaining)]]
     longest = max(float(np.sum((p - q) ** 2)) for p, q in ((a, b), (b, c), (c, a)))
     return float(_cross(b - a, c - a)) / longest
 
@@ -165,10 +167,10 @@ def _merged(points: np.ndarray, loops: list[Polygon], normal: np.ndarray) -> lis
     return list(piece.values())
 
 
-def _spliced(one: Polygon, two: Polygon, edge: Edge) -> Polygon:
-    """Both polygons as one, without the edge that one has as (a, b) and two as (b, a)."""
-    i, j = one.index(edge[1]), two.index(edge[0])
-    ring, other = one[i:] + one[:i], two[j:] + two[:j]
+def _spliced(first: Polygon, second: Polygon, edge: Edge) -> Polygon:
+    """Both polygons as one, without the edge that the first has as (a, b) and the second as (b, a)."""
+    i, j = first.index(edge[1]), second.index(edge[0])
+    ring, other = first[i:] + first[:i], second[j:] + second[:j]
     return ring + other[1:-1]
 
 

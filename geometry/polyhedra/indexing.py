@@ -36,9 +36,9 @@ class Lists:
     @classmethod
     def of(cls, lists: Iterable[Iterable[int]]) -> "Lists":
         """The same lists."""
-        plain = [list(one) for one in lists]
-        start = np.cumsum([0, *(len(one) for one in plain)])
-        return cls(start, np.array([i for one in plain for i in one], dtype=np.int64))
+        plain = [list(entry) for entry in lists]
+        start = np.cumsum([0, *(len(entry) for entry in plain)])
+        return cls(start, np.array([i for entry in plain for i in entry], dtype=np.int64))
 
     @property
     def count(self) -> int:

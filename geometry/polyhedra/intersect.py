@@ -71,15 +71,15 @@ def _turns_outwards(blocks: Blocks, b: int, normal: np.ndarray, offset: np.ndarr
         return False
     width = 1e-9 * float(np.ptp(place, axis=0).max())
     mine, size = normal[blocks.block_face_start[b] :], np.diff(starts)
-    for one, two in ((face[pair[:, 0]], face[pair[:, 1]]), (face[pair[:, 1]], face[pair[:, 0]])):
-        owner, corner = ranges(starts[two], size[two])
-        height = np.einsum("ni,ni->n", corners[corner], mine[one][owner]) - offset[one][owner]
+    for first, second in ((face[pair[:, 0]], face[pair[:, 1]]), (face[pair[:, 1]], face[pair[:, 0]])):
+        owner, corner = ranges(starts[second], size[second])
+        height = np.einsum("ni,ni->n", corners[corner], mine[first][owner]) - offset[first][owner]
         if height.max() > width:
             return False
     return True
 
 
-def shared_place(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray | None:
+def shared_place(first: ConvexSolid, second: ConvexSolid, depth: float) -> np.ndarray | None:
     """A place (3,) m where two solids share space, None if they have no more in common than faces, edges and corners
     that touch within depth (m).
 
@@ -87,27 +87,27 @@ def shared_place(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray
     outside or on its surface, and so is the middle of it. Two faces on each other that look the same way have matter
     of both solids behind them.
     """
-    place = _entry(one, two, depth)
-    return _entry(two, one, depth) if place is None else place
+    place = _entry(first, second, depth)
+    return _entry(second, first, depth) if place is None else place
 
 
-def _entry(one: ConvexSolid, two: ConvexSolid, depth: float) -> np.ndarray | None:
-    boxes, others = _boxes(one.faces), _boxes(two.faces)
+def _entry(first: ConvexSolid, second: ConvexSolid, depth: float) -> np.ndarray | None:
+    boxes, others = _boxes(first.faces), _boxes(second.faces)
     near = _meet(boxes, (others[0].min(axis=0), others[1].max(axis=0)))
-    origin = np.array([face[0] for face in two.faces])
+    origin = np.array([face[0] for face in second.faces])
     for begin in range(0, len(near), FACES):
         pieces, normals = [], []
         for f in near[begin : begin + FACES].tolist():
             among = _meet(others, (boxes[0][f], boxes[1][f]))
-            height = np.einsum("kgi,gi->kg", one.faces[f][:, None] - origin[among], two.normals[among])
-            parts = [one.faces[f]]
+            height = np.einsum("kgi,gi->kg", first.faces[f][:, None] - origin[among], second.normals[among])
+            parts = [first.faces[f]]
             for g in among[(height.max(axis=0) > depth) & (height.min(axis=0) < -depth)]:
-                parts = [part for piece in parts for part in _cut(piece, two.normals[g], origin[g], depth)]
+                parts = [part for piece in parts for part in _cut(piece, second.normals[g], origin[g], depth)]
             pieces += parts
-            normals += [one.normals[f]] * len(parts)
+            normals += [first.normals[f]] * len(parts)
         start = np.cumsum([0, *map(len, pieces)])
         middle = areas_normals_centroids(pad(np.concatenate(pieces), start, np.arange(start[-1]))[0])[2]
-        if len(shared := np.flatnonzero(_are_shared(two, others, middle, np.array(normals), depth))):
+        if len(shared := np.flatnonzero(_are_shared(second, others, middle, np.array(normals), depth))):
             return np.asarray(middle[shared[0]])
     return None
 
@@ -176,11 +176,11 @@ def _faces_at(block: ConvexSolid, among: np.ndarray, point: np.ndarray, depth: f
 
 def holds(blocks: Blocks, block: int, point: np.ndarray, width: float) -> bool:
     """Whether a point (3,) is in a block, or off its surface by no more than width (m)."""
-    one = solid(blocks, block)
-    corners = np.concatenate(one.faces)
+    body = solid(blocks, block)
+    corners = np.concatenate(body.faces)
     if ((point < corners.min(axis=0) - width) | (point > corners.max(axis=0) + width)).any():
         return False
-    return bool(len(_faces_at(one, np.arange(len(one.faces)), point, width))) or is_inside(one, point)
+    return bool(len(_faces_at(body, np.arange(len(body.faces)), point, width))) or is_inside(body, point)
 
 
 def is_inside(block: ConvexSolid, point: np.ndarray) -> bool:

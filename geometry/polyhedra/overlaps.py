@@ -82,33 +82,35 @@ def all_overlaps(
     return sorted(overlaps, key=lambda overlap: -overlap.depth)
 
 
-def least_allowed(blocks: Blocks, most: float) -> float:
-    """By how much (m) blocks must be allowed to overlap so that none is refused: 0 or a power of ten below `most` (m),
-    at which none is."""
+def least_allowed(blocks: Blocks, maximum: float) -> float:
+    """By how much (m) blocks must be allowed to overlap so that none is refused: 0 or a power of ten below
+    `maximum` (m), at which none is."""
     depth = 1e-9 * extent(blocks)
     low, high = bounds(blocks)
-    levels = (most * 10.0**-k for k in range(6, 0, -1))
+    levels = (maximum * 10.0**-k for k in range(6, 0, -1))
     for deep in (depth, *(level for level in levels if level > depth)):
         rim = np.minimum(deep / 2, THIN * (high - low))
         pairs = overlapping_boxes(low + rim, high - rim)
         convex = are_convex(blocks, deep)  # more blocks the deeper, so pairs that passed at less are looked at again
         if next(overlapping_pairs(blocks, pairs, deep, convex), None) is None:
             return deep if deep > depth else 0.0
-    return most
+    return maximum
 
 
 def described(blocks: Blocks, overlaps: Sequence[Overlap], names: Sequence[str] | None) -> list[str]:
     """A line for each of the deepest overlaps: blocks, depth, place, and the least move that parts the two."""
     lines = []
     for first, second, depth, axis, place in overlaps[:LISTED]:
-        one, two = (f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (first, second))
+        name_a, name_b = (
+            f"{names[i]!r}" if names is not None else f"{i} (unit {blocks.unit[i]})" for i in (first, second)
+        )
         if _are_one(blocks, first, second):
-            lines.append(f"{one} and {two} are the same block twice: leave one of them out")
+            lines.append(f"{name_a} and {name_b} are the same block twice: leave one of them out")
             continue
         x, y, z = place
         lines.append(
-            f"blocks {one} and {two} overlap by {depth * 1e3:.4g} mm around ({x:.4g}, {y:.4g}, {z:.4g}) m: "
-            f"moving {two} by {depth * 1e3:.4g} mm along {_direction(axis)} parts them"
+            f"blocks {name_a} and {name_b} overlap by {depth * 1e3:.4g} mm around ({x:.4g}, {y:.4g}, {z:.4g}) m: "
+            f"moving {name_b} by {depth * 1e3:.4g} mm along {_direction(axis)} parts them"
         )
     if len(overlaps) > LISTED:
         lines.append(f"and {len(overlaps) - LISTED} pairs more, by less")
@@ -119,9 +121,9 @@ def _are_one(blocks: Blocks, a: int, b: int) -> bool:
     """Whether two blocks have the same box around them, the same volume and the same surface."""
     both = selected(blocks, np.array([a, b]))
     (low, high), area = bounds(both), face_areas_normals_centroids(both)[0]
-    off = max(float(np.abs(np.diff(ends, axis=0)).max()) for ends in (low, high))
+    difference = max(float(np.abs(np.diff(ends, axis=0)).max()) for ends in (low, high))
     sums = np.stack([volumes(both), np.add.reduceat(area, both.block_face_start[:-1])])
-    return off <= SAME * float((high - low).max()) and bool(np.all(np.abs(np.diff(sums)) <= SAME * sums[:, :1]))
+    return difference <= SAME * float((high - low).max()) and bool(np.all(np.abs(np.diff(sums)) <= SAME * sums[:, :1]))
 
 
 def _direction(axis: np.ndarray) -> str:
@@ -145,8 +147,8 @@ def _of_convex(blocks: Blocks, a: int, b: int) -> Overlap:
     """The overlap of two convex blocks; its place is the middle of what each has of its surface within the other."""
     depth, axis = _penetration(blocks, a, b)
     weight, moment = 0.0, np.zeros(3)
-    for one, other in ((a, b), (b, a)):
-        start = blocks.face_start[blocks.block_face_start[one] : blocks.block_face_start[one + 1] + 1]
+    for block, other in ((a, b), (b, a)):
+        start = blocks.face_start[blocks.block_face_start[block] : blocks.block_face_start[block + 1] + 1]
         corners, count = pad(blocks.points, start, blocks.face_points)
         window = solid(blocks, other)
         for face, normal in zip(window.faces, window.normals, strict=True):
@@ -164,40 +166,40 @@ def _middle_of_boxes(blocks: Blocks, a: int, b: int) -> np.ndarray:
 def _of_solids(blocks: Blocks, a: int, b: int, place: np.ndarray, depth: float | None) -> Overlap:
     """The overlap of two blocks that need not be convex, which share a place: the least move along an axis that parts
     their hulls, or, where it is looked at closely (depth), along the normal of a face that parts them."""
-    least, axis = _penetration(blocks, a, b)
+    penetration, axis = _penetration(blocks, a, b)
     if depth is None:
-        return Overlap(a, b, least, axis, place)
-    one, two = solid(blocks, a), solid(blocks, b)
-    normals = np.concatenate([one.normals, -two.normals])
-    if len(normals) > MOST_FACES or (_is_nearly_convex(one) and _is_nearly_convex(two)):
-        return Overlap(a, b, least, axis, place)
+        return Overlap(a, b, penetration, axis, place)
+    body_a, body_b = solid(blocks, a), solid(blocks, b)
+    normals = np.concatenate([body_a.normals, -body_b.normals])
+    if len(normals) > MOST_FACES or (_is_nearly_convex(body_a) and _is_nearly_convex(body_b)):
+        return Overlap(a, b, penetration, axis, place)
     _, first = np.unique(np.round(normals, 3), axis=0, return_index=True)
     for normal in normals[np.sort(first)][:DIRECTIONS]:
-        if _part(one, two, (1 - 1e-3) * least * normal, depth):
-            least, axis = _shortest(one, two, normal, least, depth), normal
-    return Overlap(a, b, least, axis, place)
+        if _part(body_a, body_b, (1 - 1e-3) * penetration * normal, depth):
+            penetration, axis = _shortest(body_a, body_b, normal, penetration, depth), normal
+    return Overlap(a, b, penetration, axis, place)
 
 
-def _is_nearly_convex(one: ConvexSolid) -> bool:
+def _is_nearly_convex(shape: ConvexSolid) -> bool:
     """Whether a solid is convex but for noise: its hull tells then how deep it is in another one."""
-    corners = np.concatenate(one.faces)
-    height = corners @ one.normals.T - np.array(
-        [face.mean(axis=0) @ n for face, n in zip(one.faces, one.normals, strict=True)]
+    corners = np.concatenate(shape.faces)
+    height = corners @ shape.normals.T - np.array(
+        [face.mean(axis=0) @ n for face, n in zip(shape.faces, shape.normals, strict=True)]
     )
     return float(height.max()) <= NEARLY * float(np.ptp(corners, axis=0).max())
 
 
-def _part(one: ConvexSolid, two: ConvexSolid, step: np.ndarray, depth: float) -> bool:
+def _part(first: ConvexSolid, second: ConvexSolid, step: np.ndarray, depth: float) -> bool:
     """Whether the second solid, moved by a step (3,) m, is out of the first one."""
-    return shared_place(one, moved(two, step), depth) is None
+    return shared_place(first, moved(second, step), depth) is None
 
 
-def _shortest(one: ConvexSolid, two: ConvexSolid, normal: np.ndarray, longest: float, depth: float) -> float:
+def _shortest(first: ConvexSolid, second: ConvexSolid, normal: np.ndarray, longest: float, depth: float) -> float:
     """The shortest move (m) along a normal that parts two solids, found by halving."""
     low, high = 0.0, longest
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if _part(one, two, middle * normal, depth) else (middle, high)
+        low, high = (low, middle) if _part(first, second, middle * normal, depth) else (middle, high)
     return high
 
 
@@ -298,11 +300,11 @@ def _penetration(blocks: Blocks, a: int, b: int) -> tuple[float, np.ndarray]:
     length = np.linalg.norm(axes, axis=1)
     good = length > 1e-12 * length.max()
     axes = axes[good] / length[good, None]
-    one, two = corners_a @ axes.T, corners_b @ axes.T
-    forth, back = one.max(axis=0) - two.min(axis=0), two.max(axis=0) - one.min(axis=0)
+    heights_a, heights_b = corners_a @ axes.T, corners_b @ axes.T
+    forth, back = heights_a.max(axis=0) - heights_b.min(axis=0), heights_b.max(axis=0) - heights_a.min(axis=0)
     shift = np.minimum(forth, back)
-    least = int(shift.argmin())
-    return float(shift[least]), axes[least] * (1.0 if forth[least] <= back[least] else -1.0)
+    axis = int(shift.argmin())
+    return float(shift[axis]), axes[axis] * (1.0 if forth[axis] <= back[axis] else -1.0)
 
 
 def _corners_and_edges(blocks: Blocks, block: int) -> tuple[np.ndarray, np.ndarray]:

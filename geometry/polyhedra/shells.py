@@ -59,6 +59,6 @@ def _outer_shell_first(points: np.ndarray, triangles: np.ndarray, shell: np.ndar
     arm = points[triangles] - points[triangles[0, 0]]
     volume = np.bincount(shell, weights=np.einsum("ti,ti->t", arm[:, 0], np.cross(arm[:, 1], arm[:, 2])) / 6)
     outer = int(np.argmax(np.abs(volume)))
-    wanted = np.where(np.arange(len(volume)) == outer, 1.0, -1.0)
-    turned = (volume * wanted)[shell] < 0
+    sense = np.where(np.arange(len(volume)) == outer, 1.0, -1.0)
+    turned = (volume * sense)[shell] < 0
     return np.where(turned[:, None], triangles[:, ::-1], triangles)

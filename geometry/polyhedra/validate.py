@@ -36,11 +36,11 @@ def require_whole(blocks: Blocks) -> None:
         _require_table(name, getattr(blocks, name), (None,), int)
     if blocks.count == 0:
         raise GeometryError("there are no blocks")
-    _require_starts("block_face_start", blocks.block_face_start, blocks.count, len(blocks.face_start) - 1, least=4)
-    _require_starts("face_start", blocks.face_start, len(blocks.face_start) - 1, len(blocks.face_points), least=3)
-    most = int(np.diff(blocks.face_start).max())
-    if most * (len(blocks.face_start) - 1) > PADDED:
-        raise GeometryError(f"a face has {most} corners: too many for {len(blocks.face_start) - 1} faces")
+    _require_starts("block_face_start", blocks.block_face_start, blocks.count, len(blocks.face_start) - 1, minimum=4)
+    _require_starts("face_start", blocks.face_start, len(blocks.face_start) - 1, len(blocks.face_points), minimum=3)
+    maximum = int(np.diff(blocks.face_start).max())
+    if maximum * (len(blocks.face_start) - 1) > PADDED:
+        raise GeometryError(f"a face has {maximum} corners: too many for {len(blocks.face_start) - 1} faces")
     _require_range("face_points", blocks.face_points, len(blocks.points))
     if len(blocks.group) != blocks.count:
         raise GeometryError(f"group has {len(blocks.group)} entries, there are {blocks.count} blocks")
@@ -62,12 +62,12 @@ def require_sound_mesh(blocks: Blocks, mesh: TetMesh) -> None:
     _require_table("tets", mesh.tets, (None, 4), int)
     for name in ("node_start", "tet_start"):
         _require_table(name, getattr(mesh, name), (None,), int)
-    _require_starts("node_start", mesh.node_start, blocks.count, len(mesh.nodes), least=0)
-    _require_starts("tet_start", mesh.tet_start, blocks.count, len(mesh.tets), least=0)
+    _require_starts("node_start", mesh.node_start, blocks.count, len(mesh.nodes), minimum=0)
+    _require_starts("tet_start", mesh.tet_start, blocks.count, len(mesh.tets), minimum=0)
     owner = np.repeat(np.arange(blocks.count), np.diff(mesh.tet_start))
-    own = (mesh.tets >= mesh.node_start[owner, None]) & (mesh.tets < mesh.node_start[owner + 1, None])
-    if not own.all():
-        tet = int(np.argmin(own.all(axis=1)))
+    inside = (mesh.tets >= mesh.node_start[owner, None]) & (mesh.tets < mesh.node_start[owner + 1, None])
+    if not inside.all():
+        tet = int(np.argmin(inside.all(axis=1)))
         raise GeometryError(f"tet {tet} of block {owner[tet]} has a node that is not the block's")
     edge = mesh.nodes[mesh.tets[:, 1:]] - mesh.nodes[mesh.tets[:, :1]]
     volume = np.linalg.det(edge) / 6
@@ -88,30 +88,30 @@ def require_sound_joints(blocks: Blocks, joints: JointPolygons) -> None:
     _require_table("joints/gap", joints.gap, (len(joints.block_a), 2), float)
     for name in ("block_a", "block_b", "start"):
         _require_table(f"joints/{name}", getattr(joints, name), (None,), int)
-    _require_starts("joints/start", joints.start, len(joints.block_a), len(joints.points), least=3)
+    _require_starts("joints/start", joints.start, len(joints.block_a), len(joints.points), minimum=3)
     _require_table("joints/block_b", joints.block_b, (len(joints.block_a),), int)
     for name in ("block_a", "block_b"):
         _require_range(f"joints/{name}", getattr(joints, name), blocks.count)
     if np.any(joints.block_a >= joints.block_b):
         raise GeometryError(f"joints: entry {int(np.argmax(joints.block_a >= joints.block_b))} has block_a >= block_b")
-    most = int(np.diff(joints.start).max(initial=0))
-    if most * len(joints.block_a) > PADDED:
-        raise GeometryError(f"a joint has {most} corners: too many for {len(joints.block_a)} joints")
+    maximum = int(np.diff(joints.start).max(initial=0))
+    if maximum * len(joints.block_a) > PADDED:
+        raise GeometryError(f"a joint has {maximum} corners: too many for {len(joints.block_a)} joints")
     if not np.all(np.abs(joints.points) <= FARTHEST):
         raise GeometryError(f"joints/points lie farther than {FARTHEST:.0e} m from the origin")
     corners, _ = pad(joints.points, joints.start, np.arange(len(joints.points)))
     area, normal, middle = areas_normals_centroids(corners)
-    off = np.abs(np.einsum("nki,ni->nk", corners - middle[:, None], normal)).max(axis=1, initial=0.0)
-    wrong = ~(area > 0) | (off > FLAT * extent(blocks))
+    distance = np.abs(np.einsum("nki,ni->nk", corners - middle[:, None], normal)).max(axis=1, initial=0.0)
+    wrong = ~(area > 0) | (distance > FLAT * extent(blocks))
     if wrong.any():
         raise GeometryError(f"joints: polygon {int(np.argmax(wrong))} has no area, or is not flat")
 
 
 def _require_table(name: str, values: np.ndarray, shape: tuple, kind: type) -> None:
-    wanted = " x ".join("n" if n is None else str(n) for n in shape)
+    required = " x ".join("n" if n is None else str(n) for n in shape)
     fits = values.ndim == len(shape) and all(n is None or n == m for n, m in zip(shape, values.shape, strict=True))
     if not fits:
-        raise GeometryError(f"{name} has the shape {values.shape}, it must be {wanted}")
+        raise GeometryError(f"{name} has the shape {values.shape}, it must be {required}")
     if values.dtype.kind != ("f" if kind is float else "i"):
         raise GeometryError(f"{name} holds {values.dtype}, it must hold {'numbers' if kind is float else 'integers'}")
     if kind is float and not np.isfinite(values).all():
@@ -119,15 +119,15 @@ def _require_table(name: str, values: np.ndarray, shape: tuple, kind: type) -> N
         raise GeometryError(f"{name}: row {row} is not finite")
 
 
-def _require_starts(name: str, start: np.ndarray, count: int, last: int, least: int) -> None:
+def _require_starts(name: str, start: np.ndarray, count: int, last: int, minimum: int) -> None:
     if len(start) != count + 1 or count < 0:
         raise GeometryError(f"{name} has {len(start)} entries, it must have {count + 1}")
     if start[0] != 0 or start[-1] != last:
         raise GeometryError(f"{name} runs from {start[0]} to {start[-1]}, it must run from 0 to {last}")
     steps = np.diff(start)
-    if np.any(steps < least):
+    if np.any(steps < minimum):
         row = int(np.argmin(steps))
-        raise GeometryError(f"{name}: entry {row} holds {steps[row]}, at least {least} are needed")
+        raise GeometryError(f"{name}: entry {row} holds {steps[row]}, at least {minimum} are needed")
 
 
 def _require_range(name: str, index: np.ndarray, count: int) -> None:
@@ -157,12 +157,12 @@ def _require_flat(blocks: Blocks) -> None:
 
 def _require_convex(blocks: Blocks) -> None:
     corners, count = pad(blocks.points, blocks.face_start, blocks.face_points)
-    off = outside(corners, count)
-    f = int(np.argmax(off))
-    if off[f] > FLAT * extent(blocks):
+    distance = outside(corners, count)
+    f = int(np.argmax(distance))
+    if distance[f] > FLAT * extent(blocks):
         raise GeometryError(
-            f"face {f} of block {blocks.face_block()[f]} is not convex: a corner lies {off[f]:.3g} m outside of an "
-            f"edge next to it, allowed: {FLAT * extent(blocks):.3g} m; give it as several convex faces"
+            f"face {f} of block {blocks.face_block()[f]} is not convex: a corner lies {distance[f]:.3g} m outside of "
+            f"an edge next to it, allowed: {FLAT * extent(blocks):.3g} m; give it as several convex faces"
         )
 
 

@@ -53,11 +53,11 @@ def bridge(arch: Sequence[BridgeArch], pier: Sequence[Pier], depth: float) -> Sp
     require_lengths("bridge", {"depth": depth})
     if not arch or len(pier) != len(arch) - 1:
         raise GeometryError(f"bridge: {len(arch)} arches have {max(len(arch) - 1, 0)} piers; here are {len(pier)}")
-    rings, left = [], 0.0
-    for k, one in enumerate(arch):
-        left += pier[k - 1].width if k else 0.0
-        rings.append(_joints(k + 1, one) + np.array([left + 0.5 * one.span, 0.0]))
-        left += one.span
+    rings, offset = [], 0.0
+    for k, ring in enumerate(arch):
+        offset += pier[k - 1].width if k else 0.0
+        rings.append(_joints(k + 1, ring) + np.array([offset + 0.5 * ring.span, 0.0]))
+        offset += ring.span
     parts = Gathering()
 
     def add(outlines: list[np.ndarray], *names: str) -> np.ndarray:
@@ -67,9 +67,9 @@ def bridge(arch: Sequence[BridgeArch], pier: Sequence[Pier], depth: float) -> Sp
         )
 
     for k, ends in enumerate(rings):
-        own = add(voussoir_outlines(ends), f"arch {k + 1}", "voussoirs", "extrados")
-        parts.sets |= {f"arch {k + 1} voussoir {n + 1}": own[[n]] for n in range(len(own))}
-        parts.sets[f"arch {k + 1} keystone"] = own[crown(len(own))]
+        voussoirs = add(voussoir_outlines(ends), f"arch {k + 1}", "voussoirs", "extrados")
+        parts.sets |= {f"arch {k + 1} voussoir {n + 1}": voussoirs[[n]] for n in range(len(voussoirs))}
+        parts.sets[f"arch {k + 1} keystone"] = voussoirs[crown(len(voussoirs))]
     for k, below in enumerate(pier):
         name, outlines = f"pier {k + 1}", _courses(k + 1, below, rings[k][-1], rings[k + 1][0])
         add(outlines[:1], f"{name} footing", "foundations")
@@ -95,21 +95,21 @@ def _joints(number: int, arch: BridgeArch) -> np.ndarray:
     return joints_of_ring(radius, angle, arch.voussoirs, arch.thickness, level)
 
 
-def _courses(number: int, pier: Pier, left: np.ndarray, right: np.ndarray) -> list[np.ndarray]:
+def _courses(number: int, pier: Pier, before: np.ndarray, after: np.ndarray) -> list[np.ndarray]:
     """Outlines (n, 2) m of the courses of a pier, from its footing up, between the last joint (2, 2) m of the arch on
     its left and the first one of that on its right: inner and outer end."""
     kind = f"bridge: pier {number}"
     require_lengths(kind, {"width": pier.width, "height": pier.height})
     require_counts(kind, "number of courses", (pier.courses,), "z")
-    needed = (left[1, 0] - left[0, 0]) + (right[0, 0] - right[1, 0])
+    needed = (before[1, 0] - before[0, 0]) + (after[0, 0] - after[1, 0])
     if needed > pier.width * (1.0 + 1e-9):
         raise GeometryError(
             f"{kind}: width is {pier.width:g} m, the rings of both arches need {needed:.6g} m where they spring from it"
         )
-    x, rise = (left[0, 0], right[0, 0]), pier.height / pier.courses
+    x, rise = (before[0, 0], after[0, 0]), pier.height / pier.courses
     levels = rise * np.arange(-pier.courses - 1, 0)
     outlines = [np.array([[x[0], z], [x[1], z], [x[1], z + rise], [x[0], z + rise]]) for z in levels]
-    head = [*outlines.pop()[:2], right[0], right[1], left[1], left[0]]
+    head = [*outlines.pop()[:2], after[0], after[1], before[1], before[0]]
     return [
         *outlines,
         np.array([a for a, b in zip(head, [*head[1:], head[0]], strict=True) if np.ptp([a, b], 0).any()]),

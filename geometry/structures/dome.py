@@ -114,7 +114,7 @@ def _require(
     radius: float, thickness: float, courses: int, voussoirs: int, crown: float, angle: float, bond: str
 ) -> None:
     require_lengths("dome", {"crown": crown})
-    require_ring("dome", "courses", radius, angle, courses, thickness, least=1)
+    require_ring("dome", "courses", radius, angle, courses, thickness, minimum=1)
     require_counts("dome", "number of voussoirs", (voussoirs,), "x")
     if voussoirs < 3:
         raise GeometryError(f"dome: number of voussoirs is {voussoirs}, it must be 3 or more; nearest: 3")

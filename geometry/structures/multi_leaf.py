@@ -99,24 +99,24 @@ def _headers(coursing: Coursing, module: float, fraction: float) -> list[np.ndar
     """For each course, which of its units are headers: whole ones only, as many as the fraction says, evenly spread."""
     whole = [np.diff(cuts) > module * (1 - 0.5 / WHOLE) for cuts in coursing.cuts]
     total = sum(int(mask.sum()) for mask in whole)
-    wanted, courses = round(fraction * total), len(whole)
+    target, courses = round(fraction * total), len(whole)
     headers = [np.zeros(len(mask), dtype=bool) for mask in whole]
-    if wanted == 0:
+    if target == 0:
         return headers
     fewest = min(int(mask.sum()) for mask in whole)
-    most = max(fewest // 2, 1) if fraction <= 0.5 else max(fewest, 1)  # every other one where that is enough
-    number = min(courses, -(-wanted // most))
+    maximum = max(fewest // 2, 1) if fraction <= 0.5 else max(fewest, 1)  # every other one where that is enough
+    number = min(courses, -(-target // maximum))
     chosen = np.floor((np.arange(number) + 0.5) * courses / number).astype(int)
-    left = wanted
+    remaining = target
     for k, c in enumerate(chosen.tolist()):
         places = np.flatnonzero(whole[c])
-        here = min(-(-left // (number - k)), len(places))
+        here = min(-(-remaining // (number - k)), len(places))
         headers[c][places[np.floor((np.arange(here) + 0.5) * len(places) / here).astype(int)]] = True
-        left -= here
+        remaining -= here
     for mask, could in zip(headers, whole, strict=True):  # what did not fit where it was to be
-        more = np.flatnonzero(could & ~mask)[:left]
+        more = np.flatnonzero(could & ~mask)[:remaining]
         mask[more] = True
-        left -= len(more)
+        remaining -= len(more)
     return headers
 
 

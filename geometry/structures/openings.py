@@ -45,12 +45,12 @@ class Opening(NamedTuple):
 
 @dataclass(frozen=True)
 class Hole:
-    """Cut-out of the courses first..last - 1 between two straight sides: left and right at the lower and at the upper
-    end of each course (n, 2) m."""
+    """Cut-out of the courses first..last - 1 between two straight sides: where it starts and where it ends, at the
+    lower and at the upper end of each course (n, 2) m."""
 
     first: int
-    left: np.ndarray
-    right: np.ndarray
+    start: np.ndarray
+    end: np.ndarray
 
 
 class CoursedWall(NamedTuple):
@@ -84,24 +84,24 @@ def course_of(opening: Opening, wall: CoursedWall) -> tuple[int, int]:
     return first, first + course_count(f"height {words}", opening.height, wall.rise)
 
 
-def pieces(cuts: np.ndarray, course: int, cut_out: Sequence[Hole], least: float) -> np.ndarray:
+def pieces(cuts: np.ndarray, course: int, cut_out: Sequence[Hole], minimum: float) -> np.ndarray:
     """(n, 4) m: left end below and above, right end below and above, of what holes leave of a course's units.
 
-    Raises GeometryError where a piece would be shorter than `least` (m), below or above.
+    Raises GeometryError where a piece would be shorter than `minimum` (m), below or above.
     """
     outlines = [np.repeat(ends, 2) for ends in np.stack([cuts[:-1], cuts[1:]], axis=1)]
-    near = NEAR * least
-    for hole in (h for h in cut_out if h.first <= course < h.first + len(h.left)):
-        left, right = hole.left[course - hole.first], hole.right[course - hole.first]
+    near = NEAR * minimum
+    for hole in (h for h in cut_out if h.first <= course < h.first + len(h.start)):
+        hole_start, hole_end = hole.start[course - hole.first], hole.end[course - hole.first]
         whole, outlines = outlines, []
         for piece in whole:
             begin, end = piece[:2], piece[2:]
-            if np.all(end <= left + near) or np.all(begin >= right - near):
+            if np.all(end <= hole_start + near) or np.all(begin >= hole_end - near):
                 outlines.append(piece)
                 continue
-            for a, b in ((begin, np.minimum(left, end)), (np.maximum(right, begin), end)):
+            for a, b in ((begin, np.minimum(hole_start, end)), (np.maximum(hole_end, begin), end)):
                 if np.max(b - a) > near:
-                    if np.min(b - a) < least - near:
+                    if np.min(b - a) < minimum - near:
                         raise GeometryError(
                             f"a piece {max(np.min(b - a), 0.0) * 1e3:.3g} mm long in course {course + 1}"
                         )
@@ -129,19 +129,19 @@ def _fault(opening: Opening, wall: CoursedWall, bearing: float) -> str | None:
     """Fault of the pieces that an opening leaves, or of its place in the wall; None if there is none."""
     cut_out = holes(opening, wall, bearing)
     begin, end = wall.coursing.inner
-    least, near = LEAST * wall.module, NEAR * wall.module
-    sides = np.array([[hole.left.min(), hole.right.max()] for hole in cut_out])
+    minimum, near = LEAST * wall.module, NEAR * wall.module
+    sides = np.array([[hole.start.min(), hole.end.max()] for hole in cut_out])
     room = np.minimum(sides[:, 0] - begin, end - sides[:, 1])
-    if room[0] < least - near:
+    if room[0] < minimum - near:
         return "too little wall beside it"
     if room.min() < -near:
         return "its head reaches beyond the wall" if opening.head == "lintel" else "its skewbacks reach beyond the wall"
-    for hole, (left, right) in zip(cut_out, sides, strict=True):
-        for course in range(hole.first, hole.first + len(hole.left)):
+    for hole, (low, high) in zip(cut_out, sides, strict=True):
+        for course in range(hole.first, hole.first + len(hole.start)):
             cuts = wall.coursing.cuts[course]
-            beside = cuts[(cuts > left - 2 * wall.module) & (cuts < right + 2 * wall.module)]
+            beside = cuts[(cuts > low - 2 * wall.module) & (cuts < high + 2 * wall.module)]
             try:
-                pieces(beside, course, cut_out, least)
+                pieces(beside, course, cut_out, minimum)
             except GeometryError as error:
                 return str(error)
     return None
@@ -191,34 +191,34 @@ def _nearest(opening: Opening, wall: CoursedWall) -> str:
     grid = begin + step * np.arange(1, max(int((end - begin) / step), 1))
     widths = {opening.width, *(max(round(opening.width / part), 1) * part for part in (step, 2 * step))}
     tried = [
-        (abs(left - opening.left) + abs(width - opening.width), float(left), float(width))
-        for left in grid
+        (abs(start - opening.left) + abs(width - opening.width), float(start), float(width))
+        for start in grid
         for width in widths
     ]
-    for _, left, width in sorted(tried):
-        moved = opening._replace(left=left, width=width)
+    for _, start, width in sorted(tried):
+        moved = opening._replace(left=start, width=width)
         if _fault(moved, wall, bearing_of(moved, wall)) is None:
             narrower = "" if abs(width - opening.width) < NEAR * step else f", width = {width:g} m"
-            return f"nearest: left = {left:g} m{narrower}"
+            return f"nearest: left = {start:g} m{narrower}"
     return "and there is no place for one so wide with such a head"
 
 
 def require_apart(opening: Sequence[Opening], wall: CoursedWall) -> None:
     """Openings, their heads included, leave a quarter of a unit between them, or GeometryError."""
-    least = LEAST * wall.module
+    minimum = LEAST * wall.module
     boxes = [
-        (o, h.first, h.first + len(h.left), h.left.min(), h.right.max())
+        (o, h.first, h.first + len(h.start), h.start.min(), h.end.max())
         for o in opening
         for h in holes(o, wall, bearing_of(o, wall))
     ]
-    for n, (one, first, last, left, right) in enumerate(boxes):
+    for n, (owner, first, last, low, high) in enumerate(boxes):
         for other, begin, end, start, stop in boxes[:n]:
-            gap = max(start - right, left - stop)
-            if one is not other and begin < last and first < end and gap < least * (1 - NEAR):
+            gap = max(start - high, low - stop)
+            if owner is not other and begin < last and first < end and gap < minimum * (1 - NEAR):
                 raise GeometryError(
-                    f"wall: openings '{other.name}' and '{one.name}', their heads included, "
+                    f"wall: openings '{other.name}' and '{owner.name}', their heads included, "
                     + (f"overlap by {-gap:g} m" if gap < 0 else f"leave {gap:g} m between them")
-                    + f"; a quarter of a unit, {least:g} m, must stay"
+                    + f"; a quarter of a unit, {minimum:g} m, must stay"
                 )
 
 

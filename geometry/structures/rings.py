@@ -10,13 +10,13 @@ from geometry.polyhedra.construct import extrude, from_faces
 
 
 def require_ring(
-    kind: str, what: str, radius: float, angle: float, count: float, thickness: float, least: int = 2
+    kind: str, what: str, radius: float, angle: float, count: float, thickness: float, minimum: int = 2
 ) -> None:
     """A ring that can be cut into `count` pieces, called `what`, or GeometryError."""
     require_lengths(kind, {"radius": radius, "thickness": thickness})
     require_counts(kind, f"number of {what}", (count,), "x")
-    if count < least:
-        raise GeometryError(f"{kind}: number of {what} is {count}, it must be {least} or more; nearest: {least}")
+    if count < minimum:
+        raise GeometryError(f"{kind}: number of {what} is {count}, it must be {minimum} or more; nearest: {minimum}")
     if not 0.0 < angle <= np.pi:
         raise GeometryError(
             f"{kind}: angle is {np.degrees(angle):g} deg, it must be above 0 and up to 180 deg; nearest: 180 deg"
@@ -51,11 +51,11 @@ def voussoir_outlines(ends: np.ndarray) -> list[np.ndarray]:
 
 def abutment_outlines(ends: np.ndarray, angle: float) -> list[np.ndarray]:
     """(4, 2) m: the left and the right block that go on beyond the springings, square to them, by half a joint."""
-    beyond = 0.5 * np.linalg.norm(ends[0, 1] - ends[0, 0]) * np.array([np.cos(0.5 * angle), np.sin(0.5 * angle)])
-    left, right = beyond * (-1.0, -1.0), beyond * (1.0, -1.0)
+    reach = 0.5 * np.linalg.norm(ends[0, 1] - ends[0, 0]) * np.array([np.cos(0.5 * angle), np.sin(0.5 * angle)])
+    left_arm, right_arm = reach * (-1.0, -1.0), reach * (1.0, -1.0)
     return [
-        np.stack([ends[0, 0] + left, ends[0, 0], ends[0, 1], ends[0, 1] + left]),
-        np.stack([ends[-1, 0], ends[-1, 0] + right, ends[-1, 1] + right, ends[-1, 1]]),
+        np.stack([ends[0, 0] + left_arm, ends[0, 0], ends[0, 1], ends[0, 1] + left_arm]),
+        np.stack([ends[-1, 0], ends[-1, 0] + right_arm, ends[-1, 1] + right_arm, ends[-1, 1]]),
     ]
 
 

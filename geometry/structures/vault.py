@@ -48,9 +48,9 @@ def vault(
     ends = joints_of_ring(radius, angle, courses * facets, thickness, level)
     parts, course = [], []
     for c in range(courses):
-        own, slices = ends[c * facets : (c + 1) * facets + 1], cuts[c % 2]
+        course_ends, slices = ends[c * facets : (c + 1) * facets + 1], cuts[c % 2]
         number = len(slices) - 1
-        repeated = [in_facets(own, facets, slices[k : k + 1], slices[k + 1 : k + 2]) for k in range(number)]
+        repeated = [in_facets(course_ends, facets, slices[k : k + 1], slices[k + 1 : k + 2]) for k in range(number)]
         parts += repeated
         course += [c] * number
     whole = extrude(abutment_outlines(ends, angle), np.zeros(2), np.full(2, length), np.zeros(2), ("units",))

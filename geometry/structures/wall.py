@@ -74,11 +74,11 @@ def wall(
     for side, thick in enumerate(corners):
         if thick and return_length is not None:
             bonded = returning(return_length, module, thickness, coursing.covered[side])
-            left = 0.0 if side == 0 else length - thick
-            course.append(_add_return(built, bonded, left, thick, rise, f"{SIDES[side]} return"))
+            x = 0.0 if side == 0 else length - thick
+            course.append(_add_return(built, bonded, x, thick, rise, f"{SIDES[side]} return"))
     built.sets |= _ends(built.blocks(), np.concatenate(course), (0.0, length), 1e-9 * max(length, height))
-    for one in opening:
-        _add_head(built, one, into, thickness)
+    for entry in opening:
+        _add_head(built, entry, into, thickness)
     plans = [(0.0, length, 0.0, thickness)]
     plans += [(0.0, corners[0], thickness, return_length or 0.0)] if corners[0] else []
     plans += [(length - corners[1], length, thickness, return_length or 0.0)] if corners[1] else []
@@ -120,28 +120,28 @@ def _corners(
 
 def _holes(opening: Sequence[Opening], into: CoursedWall) -> list[Hole]:
     """Cut-outs of all openings in the courses, once it is known that they fit."""
-    names = [one.name for one in opening]
-    for one in opening:
+    names = [entry.name for entry in opening]
+    for entry in opening:
         require_lengths(
-            f"wall: opening '{one.name}'",
-            {"left": one.left, "width": one.width, "height": one.height, "sill": one.sill},
+            f"wall: opening '{entry.name}'",
+            {"left": entry.left, "width": entry.width, "height": entry.height, "sill": entry.sill},
             zero_allowed=("left", "sill"),
         )
-        if names.count(one.name) > 1:
+        if names.count(entry.name) > 1:
             raise GeometryError(
-                f"wall: {names.count(one.name)} openings are named '{one.name}'; each needs a name of its own"
+                f"wall: {names.count(entry.name)} openings are named '{entry.name}'; each needs a name of its own"
             )
-        require_fit(one, into)
+        require_fit(entry, into)
     require_apart(opening, into)
-    cuts = [hole for one in opening for hole in holes(one, into, bearing_of(one, into))]
-    return sorted(cuts, key=lambda hole: float(hole.left.min()))
+    cuts = [hole for entry in opening for hole in holes(entry, into, bearing_of(entry, into))]
+    return sorted(cuts, key=lambda hole: float(hole.start.min()))
 
 
 def _add_facade(built: Gathering, into: CoursedWall, cut_out: Sequence[Hole], thickness: float) -> np.ndarray:
     """Units of the facade; returns the course of each."""
-    least, loops, course = LEAST * into.module, [], []
+    minimum, loops, course = LEAST * into.module, [], []
     for c, cuts in enumerate(into.coursing.cuts):
-        for a0, a1, b0, b1 in pieces(cuts, c, cut_out, least):
+        for a0, a1, b0, b1 in pieces(cuts, c, cut_out, minimum):
             low, high = c * into.rise, (c + 1) * into.rise
             loops.append(np.array([[a0, low], [b0, low], [b1, high], [a1, high]]))
             course.append(c)
@@ -149,12 +149,12 @@ def _add_facade(built: Gathering, into: CoursedWall, cut_out: Sequence[Hole], th
     return np.array(course)
 
 
-def _add_return(built: Gathering, bonded: Coursing, left: float, thick: float, rise: float, name: str) -> np.ndarray:
+def _add_return(built: Gathering, bonded: Coursing, x: float, thick: float, rise: float, name: str) -> np.ndarray:
     """Units of a wall that returns; returns the course of each."""
     course = np.repeat(np.arange(len(bonded.cuts)), [len(cuts) - 1 for cuts in bonded.cuts])
     begin, end = (np.concatenate([cuts[part] for cuts in bonded.cuts]) for part in (slice(0, -1), slice(1, None)))
-    low = [(left, a, c * rise) for a, c in zip(begin, course, strict=True)]
-    high = [(left + thick, b, (c + 1) * rise) for b, c in zip(end, course, strict=True)]
+    low = [(x, a, c * rise) for a, c in zip(begin, course, strict=True)]
+    high = [(x + thick, b, (c + 1) * rise) for b, c in zip(end, course, strict=True)]
     built.add_boxes(low, high, "units", "units", name)
     return course
 
@@ -167,8 +167,8 @@ def _upright(loops: Sequence[np.ndarray], thickness: float) -> Blocks:
 
 def _ends(blocks: Blocks, course: np.ndarray, sides: tuple[float, float], near: float) -> dict[str, np.ndarray]:
     """Sets of the units at the ends of the facade, and of the lowest and the highest course."""
-    own = np.split(blocks.points[blocks.face_points], blocks.face_start[blocks.block_face_start[1:-1]])
-    low, high = (np.array([bound(points[:, 0]) for points in own]) for bound in (np.min, np.max))
+    corners = np.split(blocks.points[blocks.face_points], blocks.face_start[blocks.block_face_start[1:-1]])
+    low, high = (np.array([bound(points[:, 0]) for points in corners]) for bound in (np.min, np.max))
     return {
         "left end": np.flatnonzero(low <= sides[0] + near),
         "right end": np.flatnonzero(high >= sides[1] - near),
@@ -177,15 +177,17 @@ def _ends(blocks: Blocks, course: np.ndarray, sides: tuple[float, float], near: 
     }
 
 
-def _add_head(built: Gathering, one: Opening, into: CoursedWall, thickness: float) -> None:
+def _add_head(built: Gathering, opening: Opening, into: CoursedWall, thickness: float) -> None:
     """The lintel or the flat arch of an opening, and its sets."""
-    if one.head == "lintel":
-        bearing, (_, top) = bearing_of(one, into), course_of(one, into)
-        low = (one.left - bearing, 0.0, top * into.rise)
-        high = (one.left + one.width + bearing, thickness, (top + one.head_courses) * into.rise)
-        built.add_boxes([low], [high], "lintels", "lintel", f"{one.name} lintel")
-    elif one.head == "flat arch":
-        members = built.add(_upright(flat_arch(one, into), thickness), "units", "flat arch", f"{one.name} flat arch")
+    if opening.head == "lintel":
+        bearing, (_, top) = bearing_of(opening, into), course_of(opening, into)
+        low = (opening.left - bearing, 0.0, top * into.rise)
+        high = (opening.left + opening.width + bearing, thickness, (top + opening.head_courses) * into.rise)
+        built.add_boxes([low], [high], "lintels", "lintel", f"{opening.name} lintel")
+    elif opening.head == "flat arch":
+        members = built.add(
+            _upright(flat_arch(opening, into), thickness), "units", "flat arch", f"{opening.name} flat arch"
+        )
         key = members[(len(members) - 1) // 2 : len(members) // 2 + 1]
-        for name in ("keystone", f"{one.name} keystone"):
+        for name in ("keystone", f"{opening.name} keystone"):
             built.sets[name] = np.concatenate([built.sets.get(name, key[:0]), key])

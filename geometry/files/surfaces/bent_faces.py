@@ -52,15 +52,17 @@ def _least(corners: np.ndarray) -> np.ndarray:
     count = len(corners)
     i, j, k = np.meshgrid(*[np.arange(count)] * 3, indexing="ij")
     area = np.linalg.norm(np.cross(corners[j] - corners[i], corners[k] - corners[i]), axis=-1)
-    least = np.zeros((count, count))
+    minimum_area = np.zeros((count, count))
     apex = np.zeros((count, count), dtype=np.int64)
     for width in range(2, count):
         for first in range(count - width):
             last = first + width
-            whole = [least[first, m] + least[m, last] + area[first, m, last] for m in range(first + 1, last)]
+            whole = [
+                minimum_area[first, m] + minimum_area[m, last] + area[first, m, last] for m in range(first + 1, last)
+            ]
             best = min(whole)
             at = next(n for n, value in enumerate(whole) if value <= best * (1 + ALIKE))
-            least[first, last], apex[first, last] = whole[at], first + 1 + at
+            minimum_area[first, last], apex[first, last] = whole[at], first + 1 + at
     triangles, waiting = [], [(0, count - 1)]
     while waiting:
         first, last = waiting.pop()

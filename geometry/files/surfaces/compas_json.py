@@ -49,8 +49,8 @@ def read_compas(path: Path, notes: list[str] | None = None) -> list[Surface]:
     require_file(path, LARGEST)
     try:
         content = json.loads(path.read_bytes().decode("utf-8-sig"), parse_constant=_refuse_constant)
-        left: list[str] = []
-        surfaces = list(_surfaces(content, np.eye(4), "", left))
+        unread: list[str] = []
+        surfaces = list(_surfaces(content, np.eye(4), "", unread))
     except RecursionError:
         raise GeometryError(f"'{path.name}': lists or tables nested too deeply") from None
     except GeometryError as error:
@@ -61,8 +61,8 @@ def read_compas(path: Path, notes: list[str] | None = None) -> list[Surface]:
         raise GeometryError(f"'{path.name}': a table of it has not the form that COMPAS gives it ({error})") from None
     if not surfaces:
         raise GeometryError(f"'{path.name}' holds no blocks of COMPAS: {ALLOWED}, as compas.json_dump writes them")
-    if left and notes is not None:
-        words = ", ".join(f"{times} of {kind}" for kind, times in Counter(left).items())
+    if unread and notes is not None:
+        words = ", ".join(f"{times} of {kind}" for kind, times in Counter(unread).items())
         notes.append(f"what lists of the file hold besides blocks, which was left out: {words[:500]}")
     return _told_apart(surfaces)
 
@@ -89,18 +89,18 @@ def _named(value: dict[str, Any]) -> Named:
     inside = [table.get("name") for table in (data, attributes) if isinstance(table, dict)]
     names = [name for name in (value.get("name"), *inside) if isinstance(name, str) and name]
     dtype = dtype if isinstance(dtype, str) else ""
-    own = next((name for name in names if name not in (dtype.rpartition("/")[2], "Mesh", "Box", "Block")), "")
-    return Named(dtype, data, own)
+    class_name = next((name for name in names if name not in (dtype.rpartition("/")[2], "Mesh", "Box", "Block")), "")
+    return Named(dtype, data, class_name)
 
 
-def _surfaces(value: Any, place: np.ndarray, name: str, left: list[str]) -> Iterator[Surface]:
+def _surfaces(value: Any, place: np.ndarray, name: str, unread: list[str]) -> Iterator[Surface]:
     """The shapes of a value; place (4, 4) takes its coordinates to those of the file. What of lists has none is left
-    out, and its class put into `left`."""
+    out, and its class put into `unread`."""
     if isinstance(value, list):
         for number, item in enumerate(value):
-            shapes = list(_surfaces(item, place, f"block {number}", left))
+            shapes = list(_surfaces(item, place, f"block {number}", unread))
             if not shapes and isinstance(item, dict):
-                left.append(_named(item).dtype or "a table")
+                unread.append(_named(item).dtype or "a table")
             yield from shapes
         return
     if not isinstance(value, dict):
@@ -124,7 +124,7 @@ def _surfaces(value: Any, place: np.ndarray, name: str, left: list[str]) -> Iter
         raise GeometryError(f"{called}, a {named.dtype}, has not the tables of its corners and faces")
     elif not named.dtype:
         for key, item in value.items():
-            yield from _surfaces(item, place, str(key), left)
+            yield from _surfaces(item, place, str(key), unread)
 
 
 def _of_model(data: dict[str, Any], place: np.ndarray) -> Iterator[Surface]:
@@ -184,8 +184,8 @@ def _of_nodes(nodes: dict[str, Any], place: np.ndarray) -> Iterator[Surface]:
         block = node.get("block")
         if not isinstance(block, dict):
             raise GeometryError(f"node {key} holds no block")
-        own = _named(block)
-        is_support = node.get("is_support", (own.data.get("attributes") or {}).get("is_support"))
+        named = _named(block)
+        is_support = node.get("is_support", (named.data.get("attributes") or {}).get("is_support"))
         shapes = list(_surfaces(block | {"name": SUPPORT} if is_support else block, place, f"block {key}", []))
         if not shapes:
             raise GeometryError(f"node {key} holds a block without a mesh")

@@ -23,14 +23,14 @@ def crossings(
     and the first place (3,); in several parts.
     """
     corner = points[triangle]
-    own = body[:, None].astype(float)  # as a fourth coordinate it keeps bodies apart
-    boxes = (np.concatenate([ends, own], axis=1) for ends in (corner.min(axis=1), corner.max(axis=1)))
+    body_coordinate = body[:, None].astype(float)  # as a fourth coordinate it keeps bodies apart
+    boxes = (np.concatenate([ends, body_coordinate], axis=1) for ends in (corner.min(axis=1), corner.max(axis=1)))
     pairs = overlapping_boxes(*boxes)
     shared = (triangle[pairs[:, 0]][:, :, None] == triangle[pairs[:, 1]][:, None, :]).any(axis=(1, 2))
     pairs = pairs[~shared]
     for begin in range(0, len(pairs), MOST_PAIRS):
-        one, two = pairs[begin : begin + MOST_PAIRS].T
-        for edges, face in ((one, two), (two, one)):
+        first, second = pairs[begin : begin + MOST_PAIRS].T
+        for edges, face in ((first, second), (second, first)):
             for k in range(3):
                 start, end = corner[edges, k], corner[edges, (k + 1) % 3]
                 place, through = _through(start, end, corner[face], width[body[edges]])

@@ -117,17 +117,17 @@ def _turns_left(corners: np.ndarray, normal: np.ndarray) -> np.ndarray:
 def _ears(corners: np.ndarray, normal: np.ndarray) -> np.ndarray:
     """(N, n - 2, 3) corner numbers of the triangles that fill convex polygons (N, n, 3): the roundest corner is cut off
     first, as `triangles` does."""
-    left = np.tile(np.arange(corners.shape[1]), (len(corners), 1))
+    remaining = np.tile(np.arange(corners.shape[1]), (len(corners), 1))
     ears = []
-    while left.shape[1] > 3:
-        rings = np.stack([np.roll(left, 1, axis=1), left, np.roll(left, -1, axis=1)], axis=2)
+    while remaining.shape[1] > 3:
+        rings = np.stack([np.roll(remaining, 1, axis=1), remaining, np.roll(remaining, -1, axis=1)], axis=2)
         a, b, c = (np.take_along_axis(corners, rings[:, :, k, None], axis=1) for k in range(3))
         longest = np.max([np.einsum("nki,nki->nk", side, side) for side in (b - a, c - b, a - c)], axis=0)
         height = np.einsum("nki,ni->nk", np.cross(b - a, c - a), normal) / np.where(longest > 0, longest, 1.0)
         best = height.argmax(axis=1)
-        ears.append(rings[np.arange(len(left)), best])
-        left = left[np.arange(left.shape[1]) != best[:, None]].reshape(len(left), -1)
-    return np.stack([*ears, left], axis=1)
+        ears.append(rings[np.arange(len(remaining)), best])
+        remaining = remaining[np.arange(remaining.shape[1]) != best[:, None]].reshape(len(remaining), -1)
+    return np.stack([*ears, remaining], axis=1)
 
 
 def _look_alike(triangle: np.ndarray, body: np.ndarray, points: int, good: np.ndarray) -> None:

@@ -37,6 +37,6 @@ def _between(points: np.ndarray, among: np.ndarray, i: int, j: int, width: float
     length = float(np.linalg.norm(edge))
     arm = points[among] - points[i]
     along = arm @ edge / length
-    off = np.linalg.norm(arm - along[:, None] * edge / length, axis=1)
-    on = np.flatnonzero((off <= width) & (along > width) & (along < length - width))
+    distance = np.linalg.norm(arm - along[:, None] * edge / length, axis=1)
+    on = np.flatnonzero((distance <= width) & (along > width) & (along < length - width))
     return [int(v) for v in among[on[np.argsort(along[on])]]]

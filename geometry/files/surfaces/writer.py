@@ -55,8 +55,8 @@ def _between(points: np.ndarray, i: int, j: int, width: float) -> list[int]:
     edge = points[j] - points[i]
     length = float(np.linalg.norm(edge))
     along = (points - points[i]) @ edge / length
-    off = np.linalg.norm(points - points[i] - along[:, None] * edge / length, axis=1)
-    corners = np.flatnonzero((off <= width) & (along > width) & (along < length - width))
+    distance = np.linalg.norm(points - points[i] - along[:, None] * edge / length, axis=1)
+    corners = np.flatnonzero((distance <= width) & (along > width) & (along < length - width))
     return [int(v) for v in corners[np.argsort(along[corners])]]
 
 

@@ -24,21 +24,21 @@ def flattened(mesh: Mesh, flat: np.ndarray) -> Mesh:
     """
     size = mesh.sizes(len(flat))
     region, points = flat_regions(mesh, flat), mesh.points.copy()
-    left = np.ones(len(flat), dtype=bool)  # bodies with regions that are not flat yet
-    while left.any():
-        mine = left[mesh.body]
+    remaining = np.ones(len(flat), dtype=bool)  # bodies with regions that are not flat yet
+    while remaining.any():
+        mine = remaining[mesh.body]
         wrong = np.zeros(int(region.max()) + 1, dtype=bool)
         corner, plane, owner = _incidence(mesh.triangle[mine], region[mine])
         of_region = np.zeros(len(wrong), dtype=np.int64)
         of_region[region] = mesh.body
         body = of_region[owner]
-        moved, off = meet(mesh.points, corner, plane, NEAR * size[body], EXACT * size[body], body)
+        moved, error = meet(mesh.points, corner, plane, NEAR * size[body], EXACT * size[body], body)
         points[mesh.triangle[mine]] = moved[mesh.triangle[mine]]
-        wrong[owner] = off > EXACT * size[body]
-        wrong |= _spoilt(mesh, points, region, flat) & left[of_region]
+        wrong[owner] = error > EXACT * size[body]
+        wrong |= _spoilt(mesh, points, region, flat) & remaining[of_region]
         apart = wrong[region]
-        left[:] = False
-        left[mesh.body[apart]] = True
+        remaining[:] = False
+        remaining[mesh.body[apart]] = True
         region = np.unique(np.where(apart, len(region) + np.arange(len(region)), region), return_inverse=True)[1]
         region = region.reshape(-1)
     return mesh._replace(points=points, face=region)
@@ -48,10 +48,10 @@ def _incidence(triangle: np.ndarray, region: np.ndarray) -> tuple[np.ndarray, np
     """Corners and planes (N,) that they lie in, of regions of several triangles, and the region of each plane."""
     several = np.bincount(region) > 1
     chosen = several[region]
-    most = int(triangle.max(initial=0)) + 1
-    pair = np.unique(np.repeat(region[chosen], 3) * most + triangle[chosen].ravel())
-    owner, plane = np.unique(pair // most, return_inverse=True)
-    return pair % most, plane.reshape(-1), owner
+    stride = int(triangle.max(initial=0)) + 1
+    pair = np.unique(np.repeat(region[chosen], 3) * stride + triangle[chosen].ravel())
+    owner, plane = np.unique(pair // stride, return_inverse=True)
+    return pair % stride, plane.reshape(-1), owner
 
 
 def _spoilt(mesh: Mesh, points: np.ndarray, region: np.ndarray, flat: np.ndarray) -> np.ndarray:

@@ -52,16 +52,16 @@ def meet(
     planes = int(plane.max()) + 1
     body = np.zeros(planes, dtype=np.int64) if body is None else body
     width, alike = np.broadcast_to(width, planes), np.broadcast_to(alike, planes)
-    points, off, before = points.copy(), np.zeros(planes), np.full(int(body.max()) + 1, np.inf)
+    points, error, before = points.copy(), np.zeros(planes), np.full(int(body.max()) + 1, np.inf)
     of = _incidence(corner, plane)
     for n in range(ROUNDS):
         normal, height = _fitted(points[of.corner], of.start, of.corners_of)
-        off[of.planes] = np.maximum.reduceat(np.abs(height), of.start)
+        error[of.planes] = np.maximum.reduceat(np.abs(height), of.start)
         ended = np.ones(len(before), dtype=bool)
-        ended[body[off > (width if n else alike)]] = False
+        ended[body[error > (width if n else alike)]] = False
         if n % PATIENCE == 0:
             worst = np.zeros(len(before))
-            np.maximum.at(worst, body, off)
+            np.maximum.at(worst, body, error)
             ended |= worst > 0.5 * before
             before = worst
         if (going := ~ended[body[of.plane]]).any() and not going.all():
@@ -77,7 +77,7 @@ def meet(
         settled = np.abs(lacking) <= SETTLED * width[of.plane[of.by_corner]]
         step[np.logical_and.reduceat(settled, of.first)] = 0.0
         points[of.corners] -= step
-    return points, off
+    return points, error
 
 
 def _incidence(corner: np.ndarray, plane: np.ndarray) -> _Incidence:

@@ -119,8 +119,8 @@ def _grown(mesh: Mesh, face: np.ndarray, pairs: np.ndarray, flat: np.ndarray) ->
     two = np.bincount(label)[label] == 2
     _join_pairs(region, np.unique(np.sort(pairs[two[pairs[:, 0]]], axis=1), axis=0), faces, flat)
     _grow(region, pairs[~two[pairs[:, 0]]], faces, flat)
-    one, other = pairs[region[pairs[:, 0]] == region[pairs[:, 1]]].T
-    link = coo_array((np.ones(len(one)), (one, other)), shape=(len(region),) * 2)
+    first, other = pairs[region[pairs[:, 0]] == region[pairs[:, 1]]].T
+    link = coo_array((np.ones(len(first)), (first, other)), shape=(len(region),) * 2)
     return connected_components(link, directed=False)[1][face].astype(np.int64)
 
 
@@ -148,8 +148,8 @@ def _grow(region: np.ndarray, pairs: np.ndarray, faces: _FlatFaces, flat: np.nda
         return
     moment, vector = faces.moment, faces.vector
     beside: dict[int, list[int]] = {}
-    for one, two in np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0).tolist():
-        beside.setdefault(one, []).append(two)
+    for face, neighbour in np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0).tolist():
+        beside.setdefault(face, []).append(neighbour)
     free = dict.fromkeys(beside, True)
     normals, levels = _planes(moment, vector)
     for seed in sorted(beside, key=lambda f: (-moment[f, 0], f)):
@@ -188,9 +188,11 @@ def _go_over(region: np.ndarray, beside: dict[int, list[int]], faces: _FlatFaces
             if not others:
                 continue
             corners = faces.corners(f)
-            own, *off = (float(np.abs(corners @ normal[r] - level[r]).max()) for r in (region[f], *others))
-            least, r = min(zip(off, others, strict=True))
-            if least < NEARER * own and _is_level(faces, f, normal[r], level[r], float(flat[faces.body[f]])):
+            own_distance, *distances = (
+                float(np.abs(corners @ normal[r] - level[r]).max()) for r in (region[f], *others)
+            )
+            minimum, r = min(zip(distances, others, strict=True))
+            if minimum < NEARER * own_distance and _is_level(faces, f, normal[r], level[r], float(flat[faces.body[f]])):
                 region[f] = r
         if np.array_equal(region, before):
             return
@@ -244,13 +246,13 @@ def _without_curved(mesh: Mesh, face: np.ndarray, region: np.ndarray, flat: np.n
     return np.unique(np.where(whole, region, apart), return_inverse=True)[1].reshape(-1)
 
 
-def _is_even(mesh: Mesh, group: np.ndarray, flat: np.ndarray, most: np.ndarray) -> np.ndarray:
-    """(K,) whether no corner of a group stands off its plane by more than flat (B,) m, and `most` (K,) of its side."""
+def _is_even(mesh: Mesh, group: np.ndarray, flat: np.ndarray, fraction: np.ndarray) -> np.ndarray:
+    """(K,) whether no corner of a group stands off its plane by more than flat (B,) m, and `fraction` of its side."""
     moment, vector = _moments(mesh, group)
     normal, level = _planes(moment, vector)
     place, allowed = mesh.places(), np.zeros(len(moment))
     height = np.abs(np.einsum("tki,ti->tk", place, normal[group]) - level[group][:, None]).max(axis=1)
-    off = np.zeros(len(moment))
-    np.maximum.at(off, group, height)
+    distance = np.zeros(len(moment))
+    np.maximum.at(distance, group, height)
     allowed[group] = flat[mesh.body]
-    return np.asarray(off <= np.minimum(allowed, most * np.sqrt(moment[:, 0])))
+    return np.asarray(distance <= np.minimum(allowed, fraction * np.sqrt(moment[:, 0])))
