@@ -14,10 +14,10 @@ PARALLEL = 1e-6
 @inlined
 def lowest(vertex, first, last, nx, ny, nz):
     """The least height n . x of some corners."""
-    least = nx * vertex[first, 0] + ny * vertex[first, 1] + nz * vertex[first, 2]
+    minimum = nx * vertex[first, 0] + ny * vertex[first, 1] + nz * vertex[first, 2]
     for v in range(first + 1, last):
-        least = min(least, nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2])
-    return least
+        minimum = min(minimum, nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2])
+    return minimum
 
 
 @inlined
@@ -42,11 +42,11 @@ def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, 
     meet the lowest corner may look more against n: an overlap with it would leave out what is deepest.
     """
     deep = corner
-    least = nx * vertex[corner, 0] + ny * vertex[corner, 1] + nz * vertex[corner, 2]
+    minimum = nx * vertex[corner, 0] + ny * vertex[corner, 1] + nz * vertex[corner, 2]
     for v in range(corner + 1, corner_end):
         along = nx * vertex[v, 0] + ny * vertex[v, 1] + nz * vertex[v, 2]
-        if along < least:
-            least, deep = along, v
+        if along < minimum:
+            minimum, deep = along, v
     x, y, z = vertex[deep, 0], vertex[deep, 1], vertex[deep, 2]
     best, best_face, stays, meets = 2.0, -1, False, False
     for f in range(first, last):
@@ -66,40 +66,40 @@ def most_facing(normal, offset, inner, first, last, vertex, corner, corner_end, 
 
 @inlined
 def widest_face(
-    normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, beyond, inside
+    normal, offset, inner, face_first, face_last, vertex, first, last, dx, dy, dz, x, y, z, threshold, inside
 ):  # fmt: skip
-    """The free face with the widest gap to corners first..last of the other piece, if that is more than `beyond`.
+    """The free face with the widest gap to corners first..last of the other piece, if that is more than `threshold`.
 
     Returns it, its gap, whether a face inside the body parts the pieces, by a gap of more than `inside`, and whether an
     edge may (open_edges). (x, y, z) is a point of the other piece as it stands: no gap is wider than this point is
     high, so that most faces are told by one product. -1 where none is.
     """
-    widest, parted, edges, least = -1, False, False, min(beyond, 0.0)
+    widest, parted, edges, minimum = -1, False, False, min(threshold, 0.0)
     for f in range(face_first, face_last):
         bound = height(normal, offset, f, x, y, z)
-        edges = edges or bound > least
+        edges = edges or bound > minimum
         if inner[f]:
             gap = bound if bound <= inside else face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
             parted = parted or gap > inside
-        elif bound > beyond:
+        elif bound > threshold:
             gap = face_gap(normal, offset, f, vertex, first, last, dx, dy, dz)
-            if gap > beyond:
-                beyond, widest = gap, f
-    return widest, beyond, parted, edges
+            if gap > threshold:
+                threshold, widest = gap, f
+    return widest, threshold, parted, edges
 
 
 @inner
-def arc_height(one, two, cosine):
+def arc_height(height_1, height_2, cosine):
     """The greatest n . q of the unit vectors n from n_1 to n_2, for n_1 . q, n_2 . q and n_1 . n_2."""
-    alpha, beta = one - cosine * two, two - cosine * one
+    alpha, beta = height_1 - cosine * height_2, height_2 - cosine * height_1
     if alpha > 0.0 and beta > 0.0:
-        return sqrt((alpha * one + beta * two) / (1.0 - cosine * cosine))
-    return max(one, two)
+        return sqrt((alpha * height_1 + beta * height_2) / (1.0 - cosine * cosine))
+    return max(height_1, height_2)
 
 
 @inner
-def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, edges):
-    """Edges whose axes may part the pieces by more than `beyond`, for a point (x, y, z) of the other piece.
+def open_edges(edge, first, last, normal, offset, x, y, z, threshold, count, edges):
+    """Edges whose axes may part the pieces by more than `threshold`, for a point (x, y, z) of the other piece.
 
     count < 0: of all edges first..last; else of the `count` ones in edges, which is written over. Returns their number.
     """
@@ -107,11 +107,11 @@ def open_edges(edge, first, last, normal, offset, x, y, z, beyond, count, edges)
     for k in range(last - first if count < 0 else count):
         e = first + k if count < 0 else edges[k]
         f, g = edge[e, 2], edge[e, 3]
-        one, two = height(normal, offset, f, x, y, z), height(normal, offset, g, x, y, z)
-        if one <= beyond and two <= beyond and one <= 0.0 and two <= 0.0:
+        height_f, height_g = height(normal, offset, f, x, y, z), height(normal, offset, g, x, y, z)
+        if height_f <= threshold and height_g <= threshold and height_f <= 0.0 and height_g <= 0.0:
             continue
         cosine = normal[f, 0] * normal[g, 0] + normal[f, 1] * normal[g, 1] + normal[f, 2] * normal[g, 2]
-        if arc_height(one, two, cosine) > beyond:
+        if arc_height(height_f, height_g, cosine) > threshold:
             edges[number] = e
             number += 1
     return number
@@ -128,10 +128,10 @@ def edge_axis(edge, e, g, vertex, normal, dx, dy, dz):
     ax, ay, az = vertex[q, 0] - vertex[p, 0], vertex[q, 1] - vertex[p, 1], vertex[q, 2] - vertex[p, 2]
     bx, by, bz = vertex[s, 0] - vertex[r, 0], vertex[s, 1] - vertex[r, 1], vertex[s, 2] - vertex[r, 2]
     f1, f2, g1, g2 = edge[e, 2], edge[e, 3], edge[g, 2], edge[g, 3]
-    one = -_along(normal, g1, ax, ay, az)  # the arc of the second piece is turned round: it looks the other way
-    two = -_along(normal, g2, ax, ay, az)
-    three, four = _along(normal, f1, bx, by, bz), _along(normal, f2, bx, by, bz)
-    if not (one * two < 0.0 and three * four < 0.0):
+    a_g1 = -_along(normal, g1, ax, ay, az)  # the arc of the second piece is turned round: it looks the other way
+    a_g2 = -_along(normal, g2, ax, ay, az)
+    b_f1, b_f2 = _along(normal, f1, bx, by, bz), _along(normal, f2, bx, by, bz)
+    if not (a_g1 * a_g2 < 0.0 and b_f1 * b_f2 < 0.0):
         return False, 0.0, 0.0, 0.0, 0.0
     nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
     square = nx * nx + ny * ny + nz * nz
@@ -166,9 +166,13 @@ def are_apart(vertex, va, va_end, vb, vb_end, dx, dy, dz, inside):
                     bx, by, bz = vertex[m, 0] - vertex[k, 0], vertex[m, 1] - vertex[k, 1], vertex[m, 2] - vertex[k, 2]
                     nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
                     size, between = sqrt(nx * nx + ny * ny + nz * nz), nx * dx + ny * dy + nz * dz
-                    one = lowest(vertex, vb, vb_end, nx, ny, nz) + lowest(vertex, va, va_end, -nx, -ny, -nz) + between
-                    two = lowest(vertex, va, va_end, nx, ny, nz) + lowest(vertex, vb, vb_end, -nx, -ny, -nz) - between
-                    if max(one, two) > inside * size and size > 0.0:
+                    gap_forth = (
+                        lowest(vertex, vb, vb_end, nx, ny, nz) + lowest(vertex, va, va_end, -nx, -ny, -nz) + between
+                    )
+                    gap_back = (
+                        lowest(vertex, va, va_end, nx, ny, nz) + lowest(vertex, vb, vb_end, -nx, -ny, -nz) - between
+                    )
+                    if max(gap_forth, gap_back) > inside * size and size > 0.0:
                         return True
     return False
 

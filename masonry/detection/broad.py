@@ -56,10 +56,10 @@ def write_boxes(pieces, turned, position, skin, cells):
     for p in range(len(body)):
         b = body[p]
         for axis in range(3):
-            least = most = vertex[vertex_start[p], axis]
+            minimum = maximum = vertex[vertex_start[p], axis]
             for v in range(vertex_start[p] + 1, vertex_start[p + 1]):
-                least, most = min(least, vertex[v, axis]), max(most, vertex[v, axis])
-            low[p, axis], high[p, axis] = position[b, axis] + least - half, position[b, axis] + most + half
+                minimum, maximum = min(minimum, vertex[v, axis]), max(maximum, vertex[v, axis])
+            low[p, axis], high[p, axis] = position[b, axis] + minimum - half, position[b, axis] + maximum + half
 
 
 @jit
@@ -97,27 +97,27 @@ def _mark_large(low, high, large):
 
 
 @inner
-def _lay_out(low, high, large, grid, most):
+def _lay_out(low, high, large, grid, maximum):
     """Origin and size of the cells into grid (3, 3), no smaller than any box in them; their number along x, y, z."""
     for axis in range(3):
         mean, square, small, longest = 0.0, 0.0, 0, 0.0
-        least, last = low[0, axis], low[0, axis]
+        minimum, last = low[0, axis], low[0, axis]
         for i in range(len(low)):
-            least, last = min(least, low[i, axis]), max(last, low[i, axis])
+            minimum, last = min(minimum, low[i, axis]), max(last, low[i, axis])
         for i in range(len(low)):
             if not large[i]:
-                place = low[i, axis] - least
+                place = low[i, axis] - minimum
                 mean, square, small = mean + place, square + place * place, small + 1
                 longest = max(longest, high[i, axis] - low[i, axis])
         mean, square = mean / max(small, 1), square / max(small, 1)
         spread = WINDOW * sqrt(max(square - mean * mean, 0.0))
-        grid[0, axis] = max(least, least + mean - spread)
-        grid[2, axis] = min(last, least + mean + spread) - grid[0, axis]
-        grid[1, axis] = max(longest, grid[2, axis] / most, 1e-300)
+        grid[0, axis] = max(minimum, minimum + mean - spread)
+        grid[2, axis] = min(last, minimum + mean + spread) - grid[0, axis]
+        grid[1, axis] = max(longest, grid[2, axis] / maximum, 1e-300)
     while True:
         nx, ny = int(grid[2, 0] / grid[1, 0]) + 1, int(grid[2, 1] / grid[1, 1]) + 1
         nz = int(grid[2, 2] / grid[1, 2]) + 1
-        if nx * ny * nz <= most:
+        if nx * ny * nz <= maximum:
             return nx, ny, nz
         for axis in range(3):
             grid[1, axis] *= 1.25

@@ -15,14 +15,14 @@ def cut_by(u, v, label, height, row, count, pu, pv, du, dv, level, name, snap):
     d may have any length, which level and snap are multiplied by: corners where (x - p) . d is within snap of the level
     lie on the line. height (K,) is scratch. Returns the row and the number of corners of what is left.
     """
-    base, most, least = pu * du + pv * dv + level, -inf, inf
+    base, maximum, minimum = pu * du + pv * dv + level, -inf, inf
     for k in range(count):
         h = u[row, k] * du + v[row, k] * dv - base
         height[k] = h
-        most, least = max(most, h), min(least, h)
-    if most <= snap:
+        maximum, minimum = max(maximum, h), min(minimum, h)
+    if maximum <= snap:
         return row, count
-    if least > snap:
+    if minimum > snap:
         return row, 0
     other, number, last = 1 - row, 0, count - 1
     before = height[last]

@@ -11,7 +11,8 @@ from masonry.jit.compiler import inlined, inner
 
 @inlined
 def polygon_points(
-    u, v, label, row, count, full, plane, snap, reach, least, face_a, face_b, weight, name, point, gap, area, feature
+    u, v, label, row, count, full, plane, snap, reach, minimum_area, face_a, face_b, weight, name,
+    point, gap, area, feature,
 ):  # fmt: skip
     """The corners of an overlap of area `full` (m2), cut where the gap is wider than `reach`; returns their number.
 
@@ -34,7 +35,7 @@ def polygon_points(
     for k in range(count):
         name[k] = corner_feature(face_a, face_b, label[row, k - 1 if k > 0 else count - 1], label[row, k])
     count = merge(u, v, name, row, count, weight, MERGED * sqrt(total))
-    factor = max(1.0, min(full, least) / total)
+    factor = max(1.0, min(full, minimum_area) / total)
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
         point[k, 0], point[k, 1], point[k, 2] = point_of(plane, u[row, k], v[row, k], 0.5 * (low + high))
@@ -44,9 +45,9 @@ def polygon_points(
 
 @inner
 def crossing_point(
-    vertex, edge, first_a, first_b, ea, eb, dx, dy, dz, nx, ny, nz, apart, least, point, gap, area, feature
+    vertex, edge, first_a, first_b, ea, eb, dx, dy, dz, nx, ny, nz, apart, minimum_area, point, gap, area, feature
 ):  # fmt: skip
-    """The point midway between two crossed edges, of area `least`; returns 1, or 0 where they do not cross."""
+    """The point midway between two crossed edges, of area `minimum_area`; returns 1, or 0 where they do not cross."""
     p, q, r, s = edge[ea, 0], edge[ea, 1], edge[eb, 0], edge[eb, 1]
     ax, ay, az = vertex[q, 0] - vertex[p, 0], vertex[q, 1] - vertex[p, 1], vertex[q, 2] - vertex[p, 2]
     bx, by, bz = vertex[s, 0] - vertex[r, 0], vertex[s, 1] - vertex[r, 1], vertex[s, 2] - vertex[r, 2]
@@ -60,16 +61,17 @@ def crossing_point(
     point[0, 0] = vertex[p, 0] + on_a * ax + 0.5 * apart * nx
     point[0, 1] = vertex[p, 1] + on_a * ay + 0.5 * apart * ny
     point[0, 2] = vertex[p, 2] + on_a * az + 0.5 * apart * nz
-    gap[0], area[0], feature[0] = apart, least, crossing_feature(ea - first_a, eb - first_b)
+    gap[0], area[0], feature[0] = apart, minimum_area, crossing_feature(ea - first_a, eb - first_b)
     return 1
 
 
 @inner
 def corner_point(
-    vertex, first, last, dx, dy, dz, nx, ny, nz, side, apart, least, face, point, gap, area, feature
+    vertex, first, last, dx, dy, dz, nx, ny, nz, side, apart, minimum_area, face, point, gap, area, feature
 ):  # fmt: skip
-    """The corner first..last of a piece that is deepest in the other one, of area `least`, where their two faces do not
-    overlap: a corner of another face. side: 1 for the second piece, -1 for the first; face: of the other piece."""
+    """The corner first..last of a piece that is deepest in the other one, of area `minimum_area`, where their two
+    faces do not overlap: a corner of another face. side: 1 for the second piece, -1 for the first; face: of the other
+    piece."""
     deepest, lowest = first, inf
     for k in range(first, last):
         height = side * (nx * vertex[k, 0] + ny * vertex[k, 1] + nz * vertex[k, 2])
@@ -79,4 +81,4 @@ def corner_point(
     point[0, 0] = vertex[deepest, 0] + dx + offset * nx
     point[0, 1] = vertex[deepest, 1] + dy + offset * ny
     point[0, 2] = vertex[deepest, 2] + dz + offset * nz
-    gap[0], area[0], feature[0] = apart, least, lone_feature(face, deepest - first, side)
+    gap[0], area[0], feature[0] = apart, minimum_area, lone_feature(face, deepest - first, side)

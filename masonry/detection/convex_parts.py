@@ -190,15 +190,15 @@ def covered(part: Convex, others: list[Convex], width: float) -> list[bool]:
     for loop in part.loops:
         face = part.corners[loop]
         area, normal, _ = (x[0] for x in areas_normals_centroids(face[None]))
-        left = area
+        remaining = area
         for other in others:
             if (other.corners @ normal - normal @ face[0]).min() < -width:
                 continue
             for across in other.loops:
                 facing = other.corners[across]
                 if np.abs(facing @ normal - normal @ face[0]).max() <= width:
-                    left -= _shared(face, facing, normal, width)
-        answer.append(bool(left <= 1e-6 * area))
+                    remaining -= _shared(face, facing, normal, width)
+        answer.append(bool(remaining <= 1e-6 * area))
     return answer
 
 

@@ -77,16 +77,16 @@ def _reverse(values, a, b):
 @inner
 def _one(u, v, name, row, begin, end, weight, place):
     """Corners begin..end put together at `place` <= begin; returns 1."""
-    total, mu, mv, least = 0.0, 0.0, 0.0, name[begin]
+    total, mu, mv, lowest_name = 0.0, 0.0, 0.0, name[begin]
     for k in range(begin, end):
         total += weight[k]
         mu += weight[k] * (u[row, k] - u[row, begin])
         mv += weight[k] * (v[row, k] - v[row, begin])
-        least = min(least, name[k])
+        lowest_name = min(lowest_name, name[k])
     u0, v0 = u[row, begin], v[row, begin]
     u[row, place] = u0 + mu / total if total > 0.0 else u0
     v[row, place] = v0 + mv / total if total > 0.0 else v0
-    weight[place], name[place] = total, least
+    weight[place], name[place] = total, lowest_name
     return 1
 
 
@@ -119,5 +119,5 @@ def shared_area(a, b, u, v, label, height, wu, wv):
         return 0.0
     u[0, 0], v[0, 0], u[0, 1], v[0, 1], u[0, 2], v[0, 2], u[0, 3], v[0, 3] = a
     wu[0], wv[0], wu[3], wv[3], wu[2], wv[2], wu[1], wv[1] = b
-    row, left = clip(u, v, label, height, 4, wu, wv, 4, 0, 0.0)
-    return area_and_centroid(u, v, row, left)[0] if left >= 3 else 0.0
+    row, count = clip(u, v, label, height, 4, wu, wv, 4, 0, 0.0)
+    return area_and_centroid(u, v, row, count)[0] if count >= 3 else 0.0

@@ -12,9 +12,9 @@ the name of a corner, once, twice, ..., for each point inside the patch that sta
 
 
 @inner
-def corner_feature(face_a, face_b, one, two):
-    """A corner of the overlap of two faces (numbers within their pieces), where edges one and two meet."""
-    low, high = min(one, two), max(one, two)
+def corner_feature(face_a, face_b, edge_a, edge_b):
+    """A corner of the overlap of two faces (numbers within their pieces), where edges a and b meet."""
+    low, high = min(edge_a, edge_b), max(edge_a, edge_b)
     return ((face_a * 4096 + face_b) * 4096 + low) * 4096 + high
 
 

@@ -45,14 +45,14 @@ ROUND_OFF = 1e-9
 
 @inner
 def touch(
-    pieces, turned, position, p, q, skin, reach, least, fixed, axis, witness, scratch, point, gap, area, feature
+    pieces, turned, position, p, q, skin, reach, minimum_area, fixed, axis, witness, scratch, point, gap, area, feature
 ):  # fmt: skip
     """Where pieces p and q touch. Returns (kind, count, separation, blend, size).
 
     position         (N, 3) m of the bodies; `turned` holds their pieces (placing.py)
     skin             m: beyond this gap there is no contact, and no more is looked at
     reach            m: the overlap is cut where the gap is wider than this
-    least            m2: area of crossed edges, and the least one that a cut overlap keeps
+    minimum_area     m2: area of crossed edges, and the least one that a cut overlap keeps
     fixed            whether they touch with the two faces of `witness` or not at all, whatever parts them more
     axis             (3,) written: n from p to q
     witness          (3,) kind and faces or edges of the last call, which speed up this one; -1 at first; written
@@ -73,7 +73,7 @@ def touch(
     i, j = body[a], body[b]
     dx, dy, dz = position[j, 0] - position[i, 0], position[j, 1] - position[i, 1], position[j, 2] - position[i, 2]
     kind, count, separation, blend, size, fa, fb, nx, ny, nz = _ordered(
-        a, b, dx, dy, dz, skin, reach, least, fixed, witness[0], wa, wb,
+        a, b, dx, dy, dz, skin, reach, minimum_area, fixed, witness[0], wa, wb,
         pieces.vertex_start, pieces.face_start, pieces.loop_start, pieces.loop, pieces.inner,
         pieces.edge_start, pieces.edge, pieces.radius, pieces.snap,
         turned.vertex, turned.centre, turned.normal, turned.offset,
@@ -95,7 +95,7 @@ def touch(
 
 @inlined
 def _ordered(
-    a, b, dx, dy, dz, skin, reach, least, fixed, known, fa, fb,
+    a, b, dx, dy, dz, skin, reach, minimum_area, fixed, known, fa, fb,
     vertex_start, face_start, loop_start, loop, inner, edge_start, edge, radius, snaps, vertex, centre, normal, offset,
     u, v, label, wu, wv, weight, name, edges, point, gap, area, feature,
 ):  # fmt: skip
@@ -135,7 +135,7 @@ def _ordered(
         row, count = overlap(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane, snap, u, v, label, weight, wu, wv)
         full, cu, cv = area_and_centroid(u, v, row, count) if count >= 3 else (0.0, 0.0, 0.0)
         if fixed:
-            beyond, edges_too = wide, False
+            threshold, edges_too = wide, False
             break
         if full > 0.0:
             low, high = heights(plane, cu, cv)
@@ -144,9 +144,9 @@ def _ordered(
         hold = HOLD * abs(wide)
         if wide < 0.0 and (full <= 0.0 or _deepest(u, v, row, count, plane, wide)[2] > MISSED * wide):
             hold = 0.0  # what is deepest lies beside these two faces
-        beyond, inside = wide + hold + tie, min(0.5 * wide, 0.0)
+        threshold, inside = wide + hold + tie, min(0.5 * wide, 0.0)
         other, gap_a, parted, edges_too = widest_face(
-            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, beyond, inside
+            normal, offset, inner, la, la_end, vertex, vb, vb_end, dx, dy, dz, bx, by, bz, threshold, inside
         )
         another, gap_b, also, _ = widest_face(
             normal, offset, inner, lb, lb_end, vertex, va, va_end, -dx, -dy, -dz, ax - dx, ay - dy, az - dz, gap_a,
@@ -162,36 +162,36 @@ def _ordered(
         )  # fmt: skip
     flat = FLAT_HELD if known == EDGE else FLAT
     if not fixed and (known == EDGE or full <= 0.0):  # edges that touch already, or that must, as the two faces do not
-        beyond, edges_too = wide - HOLD * abs(wide) - tie, True
-    ea, eb, apart, ex, ey, ez = -1, -1, beyond, 0.0, 0.0, 0.0
+        threshold, edges_too = wide - HOLD * abs(wide) - tie, True
+    ea, eb, apart, ex, ey, ez = -1, -1, threshold, 0.0, 0.0, 0.0
     if edges_too:
         ea, eb, apart, ex, ey, ez = _crossed(
-            a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, full > 0.0, u, v, row, count, plane, wide,
+            a, b, dx, dy, dz, ax, ay, az, bx, by, bz, threshold, flat, full > 0.0, u, v, row, count, plane, wide,
             edge_start, edge, vertex, normal, offset, edges,
         )  # fmt: skip
     if ea >= 0 and apart > skin:
         return NONE, 0, apart, blend, 0.0, fa, fb, nx, ny, nz
     if ea >= 0:
         crossings = crossing_point(
-            vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, least,
+            vertex, edge, edge_start[a], edge_start[b], ea, eb, dx, dy, dz, ex, ey, ez, apart, minimum_area,
             point, gap, area, feature,
         )  # fmt: skip
         if crossings:
-            return EDGE, crossings, apart, 0.5, sqrt(least), ea, eb, ex, ey, ez
+            return EDGE, crossings, apart, 0.5, sqrt(minimum_area), ea, eb, ex, ey, ez
     if full <= 0.0:
         depth = max(wide, apart) if ea >= 0 else wide
         if depth >= 0.0 or of_tets or fixed:  # a corner of a mesh belongs to several tets
             lateral = beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane) if of_tets or fixed else 0.0
             return NONE, 0, depth, blend, lateral, fa, fb, nx, ny, nz
         _corner_of_one(
-            vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, least, fa - la, fb - lb, blend,
+            vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, minimum_area, fa - la, fb - lb, blend,
             point, gap, area, feature,
         )  # fmt: skip
-        return FACE, 1, depth, blend, sqrt(least), fa, fb, nx, ny, nz
+        return FACE, 1, depth, blend, sqrt(minimum_area), fa, fb, nx, ny, nz
     if of_tets and _along(normal, fa, fb) > -FLAT and are_apart(vertex, va, va_end, vb, vb_end, dx, dy, dz, inside):
         return NONE, 0, wide, blend, 0.0, fa, fb, nx, ny, nz
     count = polygon_points(
-        u, v, label, row, count, full, plane, snap, reach, least, fa - la, fb - lb, weight, name,
+        u, v, label, row, count, full, plane, snap, reach, minimum_area, fa - la, fb - lb, weight, name,
         point, gap, area, feature,
     )  # fmt: skip
     size = sqrt(full) if blend in (0.0, 1.0) else BETWEEN * sqrt(full)
@@ -220,16 +220,17 @@ def _first_faces(
 
 @inlined
 def _corner_of_one(
-    vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, least, fa, fb, blend, point, gap, area, feature
+    vertex, va, va_end, vb, vb_end, dx, dy, dz, nx, ny, nz, depth, minimum_area, fa, fb, blend,
+    point, gap, area, feature,
 ):  # fmt: skip
     """Write the one point where a corner meets a face, the one of the two that n comes from."""
     if blend >= 0.5:
         corner_point(
-            vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, least, fa, point, gap, area, feature
+            vertex, vb, vb_end, dx, dy, dz, nx, ny, nz, 1.0, depth, minimum_area, fa, point, gap, area, feature
         )  # fmt: skip
     else:
         corner_point(
-            vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, least, fb, point, gap, area, feature
+            vertex, va, va_end, 0.0, 0.0, 0.0, nx, ny, nz, -1.0, depth, minimum_area, fb, point, gap, area, feature
         )  # fmt: skip
 
 
@@ -272,50 +273,50 @@ def _between(normal, fa, fb, lead):
 
 @inner
 def _crossed(
-    a, b, dx, dy, dz, ax, ay, az, bx, by, bz, beyond, flat, overlaps, u, v, row, count, plane, wide,
+    a, b, dx, dy, dz, ax, ay, az, bx, by, bz, threshold, flat, overlaps, u, v, row, count, plane, wide,
     edge_start, edge, vertex, normal, offset, edges,
 ):  # fmt: skip
-    """The two edges whose axis parts the pieces by more than `beyond`, and most; their gap and axis; -1 without any.
+    """The two edges whose axis parts the pieces by more than `threshold`, and most; their gap and axis; -1 without any.
 
     (ax, ay, az), (bx, by, bz): a point of each piece. Edges that nearly lie in two faces add nothing to the corners of
     their overlap, unless all these are deeper than the edges are.
     """
-    one, two = edges[0], edges[1]
+    edges_a, edges_b = edges[0], edges[1]
     ea, eb, ex, ey, ez = -1, -1, 0.0, 0.0, 0.0
-    count_a = open_edges(edge, edge_start[a], edge_start[a + 1], normal, offset, bx, by, bz, beyond, -1, one)
+    count_a = open_edges(edge, edge_start[a], edge_start[a + 1], normal, offset, bx, by, bz, threshold, -1, edges_a)
     if count_a == 0:
-        return ea, eb, beyond, ex, ey, ez
+        return ea, eb, threshold, ex, ey, ez
     count_b = open_edges(
-        edge, edge_start[b], edge_start[b + 1], normal, offset, ax - dx, ay - dy, az - dz, beyond, -1, two
+        edge, edge_start[b], edge_start[b + 1], normal, offset, ax - dx, ay - dy, az - dz, threshold, -1, edges_b
     )
     deep = wide
     if overlaps and count_b > 0:
         du, dv, deep = _deepest(u, v, row, count, plane, wide)
         low, high = heights(plane, du, dv)
         x, y, z = point_of(plane, du, dv, high)
-        count_a = open_edges(edge, 0, 0, normal, offset, x, y, z, beyond, count_a, one)
+        count_a = open_edges(edge, 0, 0, normal, offset, x, y, z, threshold, count_a, edges_a)
         x, y, z = point_of(plane, du, dv, low)
-        count_b = open_edges(edge, 0, 0, normal, offset, x - dx, y - dy, z - dz, beyond, count_b, two)
+        count_b = open_edges(edge, 0, 0, normal, offset, x - dx, y - dy, z - dz, threshold, count_b, edges_b)
     for k in range(count_a):
         for m in range(count_b):
-            crosses, apart, x, y, z = edge_axis(edge, one[k], two[m], vertex, normal, dx, dy, dz)
-            if crosses and apart > beyond:
+            crosses, apart, x, y, z = edge_axis(edge, edges_a[k], edges_b[m], vertex, normal, dx, dy, dz)
+            if crosses and apart > threshold:
                 along = x * plane.nx + y * plane.ny + z * plane.nz
                 if not overlaps or along < flat or apart > deep + HOLD * abs(deep):
-                    beyond, ea, eb, ex, ey, ez = apart, one[k], two[m], x, y, z
-    return ea, eb, beyond, ex, ey, ez
+                    threshold, ea, eb, ex, ey, ez = apart, edges_a[k], edges_b[m], x, y, z
+    return ea, eb, threshold, ex, ey, ez
 
 
 @inner
 def _deepest(u, v, row, count, plane, wide):
     """The middle of the corners of an overlap that are within a hair as deep as the deepest one, and that one's gap."""
-    least = inf
+    minimum = inf
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
-        least = min(least, high - low)
+        minimum = min(minimum, high - low)
     mu, mv, number = 0.0, 0.0, 0
     for k in range(count):
         low, high = heights(plane, u[row, k], v[row, k])
-        if high - low <= least + 0.5 * HOLD * abs(wide):
+        if high - low <= minimum + 0.5 * HOLD * abs(wide):
             mu, mv, number = mu + u[row, k], mv + v[row, k], number + 1
-    return mu / number, mv / number, least
+    return mu / number, mv / number, minimum

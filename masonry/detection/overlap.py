@@ -120,8 +120,8 @@ def beside(vertex, loop, loop_start, fa, fb, dx, dy, dz, plane):
     sx, sy, sz, tx, ty, tz = plane.sx, plane.sy, plane.sz, plane.tx, plane.ty, plane.tz
     widest = 0.0
     for side in range(2):
-        own, other, sign = (fa, fb, 1.0) if side == 0 else (fb, fa, -1.0)
-        first, last = loop_start[own], loop_start[own + 1]
+        face, other, sign = (fa, fb, 1.0) if side == 0 else (fb, fa, -1.0)
+        first, last = loop_start[face], loop_start[face + 1]
         for k in range(first, last):
             i, j = loop[k], loop[k + 1 if k + 1 < last else first]
             x, y, z = vertex[j, 0] - vertex[i, 0], vertex[j, 1] - vertex[i, 1], vertex[j, 2] - vertex[i, 2]

@@ -94,11 +94,11 @@ def pieces_of(blocks: Blocks, tets: SurfaceTets | None = None, nodes: np.ndarray
                 f"block {b} (unit {blocks.unit[b]}) has {len(part.loops)} faces, of up to {max(map(len, part.loops))} "
                 f"corners; at most {MOST_FACES} faces of {MOST_CORNERS} corners can be detected"
             )
-    own = np.arange(blocks.count)
+    block = np.arange(blocks.count)
     if tets is None or nodes is None:
-        return _flat(pieces, origin, own)
+        return _flat(pieces, origin, block)
     pieces += as_pieces(tets, nodes, blocks.count)
-    return _flat(pieces, np.concatenate([origin, tets.centre]), np.concatenate([own, tets.block]))
+    return _flat(pieces, np.concatenate([origin, tets.centre]), np.concatenate([block, tets.block]))
 
 
 def _flat(pieces: list[tuple[int, Convex, list[bool]]], origin: np.ndarray, block: np.ndarray) -> ConvexPieces:

@@ -90,7 +90,7 @@ def owner(pieces, i, j, blend):
     """
     if abs(blend - 0.5) > 0.25:
         return 1 if blend > 0.5 else 0
-    one, two = pieces.radius[i], pieces.radius[j]
-    if abs(one - two) > ALIKE * (one + two):
-        return 1 if two < one else 0
+    radius_i, radius_j = pieces.radius[i], pieces.radius[j]
+    if abs(radius_i - radius_j) > ALIKE * (radius_i + radius_j):
+        return 1 if radius_j < radius_i else 0
     return 1 if pieces.rank[i] <= pieces.rank[j] else 0

@@ -43,10 +43,10 @@ def spread(point, gap, area, feature, count):
 
     point, gap, area, feature  (K, 3) m, (K,) m, (K,) m2, (K,), as `touch` gives them, in order round the patch
     """
-    x, y, z, depth, share = middle_of(point, gap, area, count)
-    if share <= 0.0:
+    x, y, z, depth, fraction = middle_of(point, gap, area, count)
+    if fraction <= 0.0:
         return count
-    inwards = min(sqrt(max(share - AT_CORNERS, 0.0) / (1.0 - AT_CORNERS)), 1.0)
+    inwards = min(sqrt(max(fraction - AT_CORNERS, 0.0) / (1.0 - AT_CORNERS)), 1.0)
     for k in range(count):
         other = count + k
         point[other, 0] = x + inwards * (point[k, 0] - x)
@@ -62,13 +62,13 @@ def spread(point, gap, area, feature, count):
 @jit
 def spread_in_rounds(point, gap, area, feature, count, rounds):
     """`spread` in the rounds (m, 2) of rounds_of; returns the number of points, m for each corner."""
-    x, y, z, depth, share = middle_of(point, gap, area, count)
-    if share <= 0.0:
+    x, y, z, depth, fraction = middle_of(point, gap, area, count)
+    if fraction <= 0.0:
         return count
     inside = 0.0
     for r in range(1, len(rounds)):
         inside += rounds[r, 1] * rounds[r, 0] * rounds[r, 0]
-    narrower = min(sqrt(max(share - rounds[0, 1], 0.0) / inside), 1.0 / rounds[1, 0])
+    narrower = min(sqrt(max(fraction - rounds[0, 1], 0.0) / inside), 1.0 / rounds[1, 0])
     for r in range(1, len(rounds)):
         inwards = narrower * rounds[r, 0]
         for k in range(count):

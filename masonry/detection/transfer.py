@@ -124,16 +124,16 @@ def _by_regions(
     if whole <= 0.0 or old <= 0.0:
         return False
     for i in range(count):
-        own = region(eu, ev, 0, count, ou, ov, i)
-        if region_area(own) <= 0.0:
+        old_region = region(eu, ev, 0, count, ou, ov, i)
+        if region_area(old_region) <= 0.0:
             continue
         for k in range(new_count):
             theirs = region(eu, ev, 1, new_count, nu, nv, k)
             if region_area(theirs) > 0.0:
-                shared = shared_area(own, theirs, u, v, label, height, wu, wv)
+                shared = shared_area(old_region, theirs, u, v, label, height, wu, wv)
                 for r in range(rounds if shared > 0.0 else 0):
                     j, m = r * count + i, r * new_count + k
-                    fraction = min(area[j] / region_area(own), new_area[m] / region_area(theirs))
+                    fraction = min(area[j] / region_area(old_region), new_area[m] / region_area(theirs))
                     _give(tau, j, new_tau, m, shared * fraction)
     return True
 

@@ -108,7 +108,7 @@ class Search(NamedTuple):
              N pieces in all; alive (K,) whether they still do
     free     (B,) whether forces can move it          moves  (B,) whether these can, or a drive
     mass     (B,) kg, real; where some blocks are `meshed` kg/m2, behind a face of a cube of the block's volume
-    least    (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
+    minimum_area (B,) m2, area of a contact of edges     deep (B,) m, its side for the whole block
     position (B, 3) m, of centroids: all in space for a search, of two blocks from the first of them for a look
     built    (B,) m, travel at the last search      skin (1,) m
     spread   whether patches have a point inside for each at their corners
@@ -133,7 +133,7 @@ class Search(NamedTuple):
     moves: np.ndarray
     mass: np.ndarray
     meshed: bool
-    least: np.ndarray
+    minimum_area: np.ndarray
     deep: np.ndarray
     position: np.ndarray
     built: np.ndarray
@@ -253,34 +253,38 @@ def between(centre, moved, ref, other):
 
 
 @inner
-def outward(own):
+def outward(owner):
     """1 where the normal out of the reference points from side 0 to side 1: where the points are those of side 1."""
-    return 1.0 if own == 1 else -1.0
+    return 1.0 if owner == 1 else -1.0
 
 
-def no_points(room: int, most: int, branches: int = 0, crushed: int = 0) -> PatchPoints:
-    """Room for the points of so many pairs, `most` each, with so many branches and numbers of crushing; none in it."""
-    most = -(-most // 4) * 4
+def no_points(room: int, number: int, branches: int = 0, crushed: int = 0) -> PatchPoints:
+    """Room for the points of so many pairs, `number` each, so many branches and numbers of crushing; none in it."""
+    number = -(-number // 4) * 4
     return PatchPoints(
         number=np.zeros(room, dtype=np.int64),
-        quads=np.zeros((most // FOUR, room, 8, FOUR)),
-        feature=np.zeros((room, most), dtype=np.int64),
-        damper=np.zeros((most // FOUR, room, FOUR)),
-        branches=np.zeros((room, most // FOUR, 3 * branches, FOUR)) if branches else None,
-        crushed=np.zeros((room, most // FOUR, crushed, FOUR)) if crushed else None,
+        quads=np.zeros((number // FOUR, room, 8, FOUR)),
+        feature=np.zeros((room, number), dtype=np.int64),
+        damper=np.zeros((number // FOUR, room, FOUR)),
+        branches=np.zeros((room, number // FOUR, 3 * branches, FOUR)) if branches else None,
+        crushed=np.zeros((room, number // FOUR, crushed, FOUR)) if crushed else None,
         free=np.append(np.arange(room)[::-1], room).astype(np.int64),
     )
 
 
-def no_footprint(most: int) -> Footprint:
+def no_footprint(number: int) -> Footprint:
     """Room for so many points."""
     return Footprint(
-        np.zeros((most, 3)), np.zeros(most), np.zeros(most), np.zeros(most, dtype=np.int64), np.zeros((most, 3))
+        np.zeros((number, 3)),
+        np.zeros(number),
+        np.zeros(number),
+        np.zeros(number, dtype=np.int64),
+        np.zeros((number, 3)),
     )
 
 
-def no_former_patch(most: int) -> FormerPatch:
+def no_former_patch(number: int) -> FormerPatch:
     """Room for a patch of so many points."""
     return FormerPatch(
-        np.zeros(3), np.zeros((most, 3)), np.zeros(most), np.zeros(most, dtype=np.int64), np.zeros((most, 3))
+        np.zeros(3), np.zeros((number, 3)), np.zeros(number), np.zeros(number, dtype=np.int64), np.zeros((number, 3))
     )

@@ -80,10 +80,10 @@ def faded(keep, gain, m, n, along, e, kn, ks, room):
 
 
 @inlined
-def of_bond(own, keep, gain, before, stress, c, parted, n, kn, ks, room):
+def of_bond(lanes, keep, gain, before, stress, c, parted, n, kn, ks, room):
     """Stress of the dashpots of the contacts from c on, (3) Pa on side a, and the energy that they took (J/m2).
 
-    own  which of them there are    parted  (3) m, of side b against side a    kn, ks, room  as of `faded`
+    lanes  which of them there are    parted  (3) m, of side b against side a    kn, ks, room  as of `faded`
     """
     e = (
         parted[0] - take(before, (c, 0), kn),
@@ -98,30 +98,30 @@ def of_bond(own, keep, gain, before, stress, c, parted, n, kn, ks, room):
         was_x, was_y, was_z = was_x + m[0], was_y + m[1], was_z + m[2]
         m, normal = faded(keep[j], gain[j], m, n, along, e, kn, ks, room)
         room = room - normal
-        put_vector(own, stress, c, at, m)
+        put_vector(lanes, stress, c, at, m)
         x, y, z = x + m[0], y + m[1], z + m[2]
-    put_vector(own, before, c, 0, parted)
+    put_vector(lanes, before, c, 0, parted)
     return (x, y, z), 0.5 * ((x + was_x) * e[0] + (y + was_y) * e[1] + (z + was_z) * e[2])
 
 
 @inlined
-def put_vector(own, array, c, column, vector):
+def put_vector(lanes, array, c, column, vector):
     """Write three columns of the contacts from c on."""
-    put_where(own, array, (c, column), vector[0])
-    put_where(own, array, (c, column + 1), vector[1])
-    put_where(own, array, (c, column + 2), vector[2])
+    put_where(lanes, array, (c, column), vector[0])
+    put_where(lanes, array, (c, column + 1), vector[1])
+    put_where(lanes, array, (c, column + 2), vector[2])
 
 
 @inlined
-def beside(branches, keep, gain, s, k, joint, dt, touches, t, most, sigma, d, along, n, rotation):
+def beside(branches, keep, gain, s, k, joint, dt, touches, t, shear_limit, sigma, d, along, n, rotation):
     """Stress of the dashpots of four points of a patch, (3) Pa, and the energy that they took (J/m2).
 
-    t, most  Pa, shear of the springs and the most that they bear; sigma  Pa, the normal stress
+    t, shear_limit  Pa, shear of the springs and the most that they bear; sigma  Pa, the normal stress
     d, along  m/s, of the other block against the reference, and its part along n; rotation  rad, of both in this step
     """
     x = y = z = before_x = before_y = before_z = filled(0.0, four())
     kn = where(touches, filled(joint[0], four()), 0.0)
-    sticks = touches & (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] < STUCK * most * most)
+    sticks = touches & (t[0] * t[0] + t[1] * t[1] + t[2] * t[2] < STUCK * shear_limit * shear_limit)
     ks, room = where(sticks, filled(joint[1], four()), 0.0), -sigma
     e, along = (dt * d[0], dt * d[1], dt * d[2]), dt * along
     for j in range(len(keep)):

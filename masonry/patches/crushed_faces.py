@@ -5,7 +5,7 @@ patch remember it while the patch stays as it is; before a look, what it grew go
 to one point, and points that come new read it from the cells that they lie in. So it is there again where a toe lifts
 and comes back, and moves along with a block that slides. The cells are only ever added to: a look smears nothing.
 
-Patches of two faces crush. Edges and corners do not: their area is a number of the model (Search.least).
+Patches of two faces crush. Edges and corners do not: their area is a number of the model (Search.minimum_area).
 """
 
 from typing import NamedTuple
@@ -57,14 +57,14 @@ def crushed_faces(pieces: ConvexPieces, size: np.ndarray) -> CrushedFaces:
         loop = pieces.vertex[pieces.loop[pieces.loop_start[f] : pieces.loop_start[f + 1]]]
         edge = np.roll(loop, -1, axis=0) - loop
         length = np.linalg.norm(edge, axis=1)
-        one = edge[np.argmax(length >= (1.0 - 1e-9) * length.max())] / length.max()
-        two = np.cross(pieces.normal[f], one)
-        u, v = loop @ one, loop @ two
-        corner[f] = u.min() * one + v.min() * two + (loop[0] @ pieces.normal[f]) * pieces.normal[f]
+        u_axis = edge[np.argmax(length >= (1.0 - 1e-9) * length.max())] / length.max()
+        v_axis = np.cross(pieces.normal[f], u_axis)
+        u, v = loop @ u_axis, loop @ v_axis
+        corner[f] = u.min() * u_axis + v.min() * v_axis + (loop[0] @ pieces.normal[f]) * pieces.normal[f]
         extent = np.array([np.ptp(u), np.ptp(v)])
         if not meshed[f]:
             number[f] = np.clip(np.ceil(extent / cell), FEWEST, MOST)
-        along[f], across[f] = one * number[f, 0] / extent[0], two * number[f, 1] / extent[1]
+        along[f], across[f] = u_axis * number[f, 0] / extent[0], v_axis * number[f, 1] / extent[1]
     first = np.append(0, np.cumsum(number.prod(axis=1)))
     return CrushedFaces(
         corner, along, across, number, first, np.zeros(first[-1]), np.zeros(first[-1]), np.zeros(count, dtype=bool)
@@ -74,11 +74,11 @@ def crushed_faces(pieces: ConvexPieces, size: np.ndarray) -> CrushedFaces:
 @inner
 def place_on_face(near, pairs, p, side, k):
     """m, from the centroid of the block on a side of pair p, in its frame: where point k of the pair is."""
-    motion, own = near.motion, pairs.points_of[p]
+    motion, owner = near.motion, pairs.points_of[p]
     place = vector_of(near.points, pairs.slot[p], k, PLACE)
-    if side == own:
+    if side == owner:
         return place
-    ref, other = pairs.body[p, side], pairs.body[p, own]
+    ref, other = pairs.body[p, side], pairs.body[p, owner]
     a, o = turned(motion.frame, other, *place), between(motion.centre, motion.moved, ref, other)
     return into(motion.frame, motion.dual, ref, a[0] + o[0], a[1] + o[1], a[2] + o[2])
 
@@ -115,10 +115,10 @@ def keep_crushing(crushed, near, pairs, p):
 @inner
 def has_grown(points, s):
     """Whether a point of slot s was crushed further since it last told."""
-    most = 0.0
+    maximum = 0.0
     for k in range(points.number[s]):
-        most = max(most, grown(points.crushed, s, k, HARDENING))
-    return most > 0.0
+        maximum = max(maximum, grown(points.crushed, s, k, HARDENING))
+    return maximum > 0.0
 
 
 @inner
@@ -242,7 +242,7 @@ def recall_crushing(crushed, near, p, count, former_count):
     memory. Returns the most plastic closing (m)."""
     if crushed is None:
         return 0.0
-    points, pairs, numbers, most = near.points, near.pairs, near.footprint.shear, 0.0
+    points, pairs, numbers, maximum = near.points, near.pairs, near.footprint.shear, 0.0
     s, touches = pairs.slot[p], pairs.witness[p, 0] == FACE and count >= 3
     for k in range(count):
         numbers[k, 0] = numbers[k, 1] = 0.0
@@ -264,5 +264,5 @@ def recall_crushing(crushed, near, p, count, former_count):
                 number = numbers[k, row] if k < count else 0.0
                 put_crushed_of(points.crushed, s, k, row, number)
                 put_crushed_of(points.crushed, s, k, KEPT + row, number)
-        most = max(most, crushed_of(points.crushed, s, k, CLOSING))
-    return most
+        maximum = max(maximum, crushed_of(points.crushed, s, k, CLOSING))
+    return maximum

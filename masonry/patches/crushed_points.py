@@ -50,11 +50,11 @@ def with_crushing(crushed, number, more):
 
 
 @inlined
-def least(crushed, most, limit):
+def least(crushed, shear_limit, limit):
     """The most shear (Pa) that points bear, no more than a limit where anything crushes."""
     if crushed is None:
-        return most
-    return minimum(most, limit)
+        return shear_limit
+    return minimum(shear_limit, limit)
 
 
 @inner
@@ -121,12 +121,12 @@ def crush_by(joint, crushed, s, k, e, was, tau, sheared):
     """The same by properties of a joint of which nothing but friction and residual cohesion is left."""
     closing = take(crushed, (s, k // FOUR, CLOSING, 0), four())
     hardening = take(crushed, (s, k // FOUR, HARDENING, 0), four())
-    one, nothing, kn = filled(1.0, four()), filled(0.0, four()), joint.normal_stiffness
+    ones, nothing, kn = filled(1.0, four()), filled(0.0, four()), joint.normal_stiffness
     sigma, sigma_was = kn * e, kn * was
     bears = strength_left(joint, hardening)
-    if not any_lane(unless(one > 0.0, is_within(joint, bears, sigma, tau * tau))):
+    if not any_lane(unless(ones > 0.0, is_within(joint, bears, sigma, tau * tau))):
         return nothing, filled(inf, four()), nothing, nothing
-    history = ContactHistory(one, one, nothing, nothing, None, None, None)
+    history = ContactHistory(ones, ones, nothing, nothing, None, None, None)
     after = return_to_cap(joint, history, closing, hardening, bears, e, sigma, tau, (sigma_was, sheared))
     crushes = after.hardening > hardening
     if not any_lane(crushes):

@@ -29,8 +29,8 @@ def point_forces(record):
     near, block, body, place, force, normal, number = unpack(record)
     pairs, points, motion, count = near.pairs, near.points, near.motion, 0
     for p in range(pairs.number[0]):
-        s, own = pairs.slot[p], pairs.points_of[p]
-        ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+        s, owner = pairs.slot[p], pairs.points_of[p]
+        ref, other = pairs.body[p, 1 - owner], pairs.body[p, owner]
         kn = near.rules.normal_stiffness[pairs.law[p]]
         for k in range(points.number[s] if s >= 0 else 0):
             gap = pressing_gap(pairs, points, motion, p, k)
@@ -43,7 +43,7 @@ def point_forces(record):
                 arm = turned(motion.frame, other, x, y, z)
                 sigma = kn * gap + (points.damper[k // FOUR, s, k % FOUR] if pairs.dashpot[p] > 0.0 else 0.0)
                 shear = with_branches(points.branches, s, k, vector_of(points, s, k, SHEAR))
-                sign = outward(own)
+                sign = outward(owner)
                 for i in range(3):
                     place[count, i] = motion.centre[other, i] + motion.moved[other, i] + arm[i]
                     force[count, i] = sign * number_of(points, s, k, AREA) * (shear[i] + sigma * n[i])
@@ -60,15 +60,15 @@ def deepest(record):
     """How far points overlap at most, over the least width (B,) m of the thinner of their two blocks, into overlap
     (1,); and the pair, into pair (1,)."""
     near, width, overlap, pair = unpack(record)
-    pairs, points, block, most, which = near.pairs, near.points, near.pieces.block, 0.0, -1
+    pairs, points, block, maximum, which = near.pairs, near.points, near.pieces.block, 0.0, -1
     for p in range(pairs.number[0]):
         s = pairs.slot[p]
         for k in range(points.number[s] if s >= 0 else 0):
             gap = with_closing(points.crushed, s, k, gap_of(pairs, points, near.motion, p, k))
             over_width = -gap / min(width[block[pairs.body[p, 0]]], width[block[pairs.body[p, 1]]])
-            if over_width > most:
-                most, which = over_width, p
-    overlap[0], pair[0] = most, which
+            if over_width > maximum:
+                maximum, which = over_width, p
+    overlap[0], pair[0] = maximum, which
 
 
 @CompiledPart

@@ -82,8 +82,8 @@ def merge(near, count):
         elif (search.moves[a] or search.moves[b]) and not is_bonded(
             search.bonded, search.alive, pieces.block[a], pieces.block[b], len(pieces.body)
         ):
-            one = 1 if search.unit[a] == search.unit[b] else 0
-            begin_pair(pairs, number, i, j, a, b, search.law_of[search.group[a], search.group[b], one])
+            within_unit = 1 if search.unit[a] == search.unit[b] else 0
+            begin_pair(pairs, number, i, j, a, b, search.law_of[search.group[a], search.group[b], within_unit])
             number += 1
     while p < last:
         leave(near, before, p)

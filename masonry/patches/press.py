@@ -62,8 +62,8 @@ def press(record):
     for p in range(pairs.number[0]):
         if slot[p] < 0:
             continue
-        own, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
-        ref, other = np.uint64(body[p, 1 - own]), np.uint64(body[p, own])
+        owner, s = points_of[p], np.uint64(slot[p])  # an index without a sign is not looked at for one
+        ref, other = np.uint64(body[p, 1 - owner]), np.uint64(body[p, owner])
         n = turned(frame, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = between(centre, moved, ref, other)
         rx, ry, rz, wx, wy, wz = v[ref, 3], v[ref, 4], v[ref, 5], v[other, 3], v[other, 4], v[other, 5]
@@ -172,15 +172,15 @@ def respond(
     if keep is None and not any_lane(touches | (before > 0.0)):
         return (sigma, sigma, sigma), sigma, sigma, work, sigma
     shear, out = turned_with(shear, before, rotation, n)
-    most = least(crushed, strength(cohesion, tan, sigma, touches), limit)
-    t, heat = slide(shear, out, d, along, n, dt, ks, most)
+    shear_limit = least(crushed, strength(cohesion, tan, sigma, touches), limit)
+    t, heat = slide(shear, out, d, along, n, dt, ks, shear_limit)
     x, y, z = where(touches, t[0], 0.0), where(touches, t[1], 0.0), where(touches, t[2], 0.0)
     put(points.quads, (k // FOUR, s, SHEAR, 0), x)
     put(points.quads, (k // FOUR, s, SHEAR + 1, 0), y)
     put(points.quads, (k // FOUR, s, SHEAR + 2, 0), z)
     if keep is not None:
         m, taken = beside(
-            points.branches, keep, gain, s, k, joint, dt, touches, (x, y, z), most, sigma, d, along, n, rotation
+            points.branches, keep, gain, s, k, joint, dt, touches, (x, y, z), shear_limit, sigma, d, along, n, rotation
         )
         x, y, z, work = x + m[0], y + m[1], z + m[2], work + size * taken
     heat = with_crushing(crushed, heat, -by_slip)
@@ -240,9 +240,9 @@ def turned_with(t, before, rotation, n):
 
 
 @inlined
-def slide(h, out, d, along, n, dt, ks, most):
-    """The shear traction (Pa), no more than `most`, after a step with velocity d (m/s), and what friction took (J/m2):
-    what the trapezoid puts in, less what the springs then hold more.
+def slide(h, out, d, along, n, dt, ks, shear_limit):
+    """The shear traction (Pa), no more than `shear_limit`, after a step with velocity d (m/s), and what friction
+    took (J/m2): what the trapezoid puts in, less what the springs then hold more.
 
     h, out  Pa, the traction before, and its part along n that is not one of shear; along  m/s, that of d
     """
@@ -250,15 +250,15 @@ def slide(h, out, d, along, n, dt, ks, most):
     lift = out + stiff * along
     tx, ty, tz = h[0] + stiff * d[0] - lift * n[0], h[1] + stiff * d[1] - lift * n[1], h[2] + stiff * d[2] - lift * n[2]
     trial = tx * tx + ty * ty + tz * tz
-    slides = trial > most * most
+    slides = trial > shear_limit * shear_limit
     if not any_lane(slides):
         return (tx, ty, tz), filled(0.0, trial)
-    fraction = where(slides, most / sqrt(trial), 1.0)
+    fraction = where(slides, shear_limit / sqrt(trial), 1.0)
     tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
     sx, sy, sz = dt * (d[0] - along * n[0]), dt * (d[1] - along * n[1]), dt * (d[2] - along * n[2])
     x, y, z = h[0] - out * n[0], h[1] - out * n[1], h[2] - out * n[2]
     put_in = (x + tx) * sx + (y + ty) * sy + (z + tz) * sz
-    stored_more = (most * most - x * x - y * y - z * z) / ks
+    stored_more = (shear_limit * shear_limit - x * x - y * y - z * z) / ks
     return (tx, ty, tz), where(slides, 0.5 * (put_in - stored_more), 0.0)
 
 
@@ -293,20 +293,20 @@ def ease(pairs, points, motion):
     for p in range(pairs.number[0]):
         if pairs.slot[p] < 0 or pairs.slack[p] == 0.0:
             continue
-        least = FAR
+        gap = FAR
         for k in range(points.number[pairs.slot[p]]):
-            least = min(least, with_closing(points.crushed, pairs.slot[p], k, gap_of(pairs, points, motion, p, k)))
-            if least + pairs.slack[p] < 0.0:
+            gap = min(gap, with_closing(points.crushed, pairs.slot[p], k, gap_of(pairs, points, motion, p, k)))
+            if gap + pairs.slack[p] < 0.0:
                 break
-        if least + pairs.slack[p] >= 0.0:
-            pairs.slack[p] = min(max(-least, 0.0), max(pairs.slack[p], 0.0))
+        if gap + pairs.slack[p] >= 0.0:
+            pairs.slack[p] = min(max(-gap, 0.0), max(pairs.slack[p], 0.0))
 
 
 @jit
 def gap_of(pairs, points, motion, p, k):
     """Gap (m) of a point now, below 0 where the blocks press."""
-    own, s = pairs.points_of[p], pairs.slot[p]
-    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+    owner, s = pairs.points_of[p], pairs.slot[p]
+    ref, other = pairs.body[p, 1 - owner], pairs.body[p, owner]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     nx, ny, nz, scale = plane_of(motion.frame, motion.dual, ref, x, y, z)
     n = nx, ny, nz

@@ -34,8 +34,8 @@ def press_deforming(record):
         s = slot[p]
         if s < 0:
             continue
-        own = points_of[p]
-        ref, other = body[p, 1 - own], body[p, own]
+        owner = points_of[p]
+        ref, other = body[p, 1 - owner], body[p, owner]
         nx, ny, nz, scale = plane_of(frame, dual, ref, normal[p, 0], normal[p, 1], normal[p, 2])
         ox, oy, oz = between(centre, moved, ref, other)
         half = 0.5 * dt

@@ -120,12 +120,21 @@ def touch_anew(near, p, query):
     """Write where pair p touches now into footprint, with further points inside; returns how many points there are."""
     pieces, pairs, search, footprint = near.pieces, near.pairs, near.search, near.footprint
     a, b = pairs.body[p, 0], pairs.body[p, 1]
-    least, query.whole[SUNK] = min(search.least[a], search.least[b]), False
+    minimum_area, query.whole[SUNK] = min(search.minimum_area[a], search.minimum_area[b]), False
     of_tets = pieces.block[a] != a or pieces.block[b] != b
     while True:
         # FAR: an overlap is not cut where its gap is wide, so that its points keep their areas while a block rocks.
         kind, count, separation, blend, size = touch(
-            *(pieces, near.turned, search.position, pairs.piece[p, 0], pairs.piece[p, 1], search.skin[0], FAR, least),
+            *(
+                pieces,
+                near.turned,
+                search.position,
+                pairs.piece[p, 0],
+                pairs.piece[p, 1],
+                search.skin[0],
+                FAR,
+                minimum_area,
+            ),
             *(query.whole[SUNK] != 0, pairs.axis[p], pairs.witness[p], near.scratch),
             *(footprint.point, footprint.gap, footprint.area, footprint.feature),
         )
@@ -187,8 +196,8 @@ def further_points(search, footprint, count):
 
 
 @inner
-def renew(near, p, count, own, handing, query):
-    """Give pair p the points that a look found; `own` is the side that they belong to. False where one is too deep."""
+def renew(near, p, count, owner, handing, query):
+    """Give pair p the points that a look found; `owner` is the side they belong to. False where one is too deep."""
     pairs, points, motion, search = near.pairs, near.points, near.motion, near.search
     pressed, sheared = stored(pairs, points, near.rules, motion, p)
     former_count = 0
@@ -198,7 +207,7 @@ def renew(near, p, count, own, handing, query):
         pairs.slot[p] = points.free[points.free[room]]
     else:
         former_count = remember(near, p)
-    set_plane(near, p, own)
+    set_plane(near, p, owner)
     deepest, area = write_points(near, p, count, former_count)
     if former_count > 0:
         query.whole[FORMER] = former_count
@@ -223,28 +232,28 @@ def renew(near, p, count, own, handing, query):
 def remember(near, p):
     """Keep the places, names, areas, shear tractions and the normal of a patch; returns how many points it has."""
     pairs, points, motion, former = near.pairs, near.points, near.motion, near.former
-    s, own = pairs.slot[p], pairs.points_of[p]
-    ref, other = pairs.body[p, 1 - own], pairs.body[p, own]
+    s, owner = pairs.slot[p], pairs.points_of[p]
+    ref, other = pairs.body[p, 1 - owner], pairs.body[p, owner]
     x, y, z = pairs.normal[p, 0], pairs.normal[p, 1], pairs.normal[p, 2]
     n = plane_of(motion.frame, motion.dual, ref, x, y, z)
     for i in range(3):
-        former.normal[i] = outward(own) * n[i]
+        former.normal[i] = outward(owner) * n[i]
     for k in range(points.number[s]):
         x, y, z = vector_of(points, s, k, PLACE)
         arm, shear = turned(motion.frame, other, x, y, z), vector_of(points, s, k, SHEAR)
         for i in range(3):
             former.point[k, i] = near.search.position[other, i] + arm[i]
-            former.shear[k, i] = outward(own) * shear[i]
+            former.shear[k, i] = outward(owner) * shear[i]
         former.area[k], former.feature[k] = number_of(points, s, k, AREA), points.feature[s, k]
     return points.number[s]
 
 
 @inner
-def set_plane(near, p, own):
+def set_plane(near, p, owner):
     """The plane lies in the block on the other side than the points, across the axis: F^T n, whatever the frame."""
     pairs, frame, axis = near.pairs, near.motion.frame, near.pairs.axis[p]
-    ref, sign = pairs.body[p, 1 - own], outward(own)
-    pairs.points_of[p] = own
+    ref, sign = pairs.body[p, 1 - owner], outward(owner)
+    pairs.points_of[p] = owner
     for i in range(3):
         along = frame[ref, 0, i] * axis[0] + frame[ref, 1, i] * axis[1] + frame[ref, 2, i] * axis[2]
         pairs.normal[p, i] = sign * along
@@ -254,8 +263,8 @@ def set_plane(near, p, own):
 def write_points(near, p, count, former_count):
     """Write the points of a look, without their shear; returns the least gap, or 0, (m) and the whole area (m2)."""
     pairs, points, motion, footprint = near.pairs, near.points, near.motion, near.footprint
-    s, own, axis, position = pairs.slot[p], pairs.points_of[p], pairs.axis[p], near.search.position
-    ref, other, sign = pairs.body[p, 1 - own], pairs.body[p, own], outward(own)
+    s, owner, axis, position = pairs.slot[p], pairs.points_of[p], pairs.axis[p], near.search.position
+    ref, other, sign = pairs.body[p, 1 - owner], pairs.body[p, owner], outward(owner)
     area = deepest = 0.0
     for k in range(count):
         deepest = min(deepest, footprint.gap[k])
@@ -301,8 +310,12 @@ def set_dashpot(pairs, rules, search, p, area):
     pairs.dashpot[p] = 0.0
     if damping_ratio > 0.0 and area > 0.0:
         a, b = pairs.body[p, 0], pairs.body[p, 1]
-        one, two = search.mass[a], search.mass[b]
-        hit = one * two / (one + two) if search.free[a] and search.free[b] else (one if search.free[a] else two)
+        mass_a, mass_b = search.mass[a], search.mass[b]
+        hit = (
+            mass_a * mass_b / (mass_a + mass_b)
+            if search.free[a] and search.free[b]
+            else (mass_a if search.free[a] else mass_b)
+        )
         behind = hit if search.meshed else hit / area
         ratio = share_in_steps(rules.rise, pairs.law[p], damping_ratio, sqrt(kn / behind))
         pairs.dashpot[p] = 2.0 * ratio * sqrt(kn * hit / (1.0 if search.meshed else area))

@@ -151,12 +151,12 @@ def on_stale_face(pairs, search, p):
 def count_travel(motion, dt, strain=None):
     """Add to each block's travel what this step can add to it at most; strain as in BlockMotion. Returns a bound (m) of
     what it adds to any of them: up to eight times the most."""
-    together, most, last = len(motion.travel) // EIGHT * EIGHT, filled(0.0, eight()), 0.0
+    together, bound, last = len(motion.travel) // EIGHT * EIGHT, filled(0.0, eight()), 0.0
     for b in range(0, together, EIGHT):
-        most = maximum(most, travel_on(motion, eight_rows(b), dt, strain))
+        bound = maximum(bound, travel_on(motion, eight_rows(b), dt, strain))
     for b in range(together, len(motion.travel)):
         last = max(last, travel_on(motion, b, dt, strain))
-    return max(total(most), last)
+    return max(total(bound), last)
 
 
 @inlined

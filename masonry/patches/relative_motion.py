@@ -23,10 +23,10 @@ def stays(near, p):
     pairs, travel = near.pairs, near.motion.travel
     if pairs.mark[p] <= -FAR:
         return False
-    left = pairs.reach[p] - moved_apart(pairs, near.motion, p)
-    if left < LEFT * pairs.reach[p]:
+    remaining = pairs.reach[p] - moved_apart(pairs, near.motion, p)
+    if remaining < LEFT * pairs.reach[p]:
         return False
-    pairs.limit[p] = travel[pairs.body[p, 0]] + travel[pairs.body[p, 1]] - pairs.mark[p] + left
+    pairs.limit[p] = travel[pairs.body[p, 0]] + travel[pairs.body[p, 1]] - pairs.mark[p] + remaining
     return True
 
 

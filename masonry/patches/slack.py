@@ -63,10 +63,10 @@ def count_patches(pairs, patches):
 @inner
 def is_alone(pairs, patches, p):
     """Whether a pair touches with the same two faces as before the last look, and nothing else touches these."""
-    one, two = pairs.witness[p, 1], pairs.witness[p, 2]
-    if pairs.slot[p] < 0 or pairs.witness[p, 0] != FACE or pairs.face[p, 0] != one or pairs.face[p, 1] != two:
+    face_a, face_b = pairs.witness[p, 1], pairs.witness[p, 2]
+    if pairs.slot[p] < 0 or pairs.witness[p, 0] != FACE or pairs.face[p, 0] != face_a or pairs.face[p, 1] != face_b:
         return False
-    return patches[one] == 1 and patches[two] == 1
+    return patches[face_a] == 1 and patches[face_b] == 1
 
 
 @inner
@@ -86,16 +86,16 @@ def list_losers(pairs, search, count):
 @inner
 def let_losers_pay(pairs, search, p):
     """Payment for the gain of patch p by what others on its two faces lost, in the order of their numbers."""
-    one, two = pairs.witness[p, 1], pairs.witness[p, 2]
-    here, there = search.patches[one], search.patches[two]
+    face_a, face_b = pairs.witness[p, 1], pairs.witness[p, 2]
+    here, there = search.patches[face_a], search.patches[face_b]
     while here >= 0 or there >= 0:
         k = here if there < 0 or 0 <= here <= there else there
         q = search.losers[k]
         paid = min(pairs.gained[p], -pairs.gained[q])
         pairs.gained[p] -= paid
         pairs.gained[q] += paid
-        here = search.candidates[k, 0 if pairs.face[q, 0] == one else 1] if here == k else here
-        there = search.candidates[k, 0 if pairs.face[q, 0] == two else 1] if there == k else there
+        here = search.candidates[k, 0 if pairs.face[q, 0] == face_a else 1] if here == k else here
+        there = search.candidates[k, 0 if pairs.face[q, 0] == face_b else 1] if there == k else there
 
 
 @jit
@@ -107,7 +107,7 @@ def hold(near, p, energy):
     """
     pairs, points, motion = near.pairs, near.points, near.motion
     s, kn = pairs.slot[p], near.rules.normal_stiffness[pairs.law[p]]
-    wanted = sqrt(max(energy, 0.0))
+    target = sqrt(max(energy, 0.0))
     for _ in range(ROUNDS):
         twice = force = deepest = 0.0
         for k in range(points.number[s]):
@@ -119,10 +119,10 @@ def hold(near, p, energy):
         root = sqrt(0.5 * twice)
         if force == 0.0:
             return 0.0
-        if wanted == 0.0:
+        if target == 0.0:
             pairs.slack[p] -= deepest
             return 0.0
-        change = 2.0 * root * (root - wanted) / force
+        change = 2.0 * root * (root - target) / force
         if abs(change) <= 1e-15 * (abs(pairs.slack[p]) - deepest):
             return root * root
         pairs.slack[p] += change

@@ -53,7 +53,7 @@ def is_sunk(near, p, count):
     meets the side of the next slab, where the first one is as well, so that nothing can be hit: they touch with their
     faces that lie level. The third one may be another piece of a block that is not convex.
     """
-    pairs, search, first, one, two, widest = near.pairs, near.search, 0, -1, -1, 0.0
+    pairs, search, first, own_face, other_face, widest = near.pairs, near.search, 0, -1, -1, 0.0
     a, b, i, j = pairs.body[p, 0], pairs.body[p, 1], pairs.piece[p, 0], pairs.piece[p, 1]
     if not is_narrow(near, p, count):
         return False
@@ -75,9 +75,9 @@ def is_sunk(near, p, count):
             g, against = face_along(near, pairs.piece[p, 1 - side], n)
             deep = min(heights_on(near, shared, f, count)[0], heights_on(near, pairs.body[p, 1 - side], g, count)[0])
             if min(along, against) > LEVEL_WITH and deep >= -SUNK * width:
-                first, one, two, widest = side, f, g, width
+                first, own_face, other_face, widest = side, f, g, width
     if widest > 0.0:
-        pairs.witness[p, 0], pairs.witness[p, 1 + first], pairs.witness[p, 2 - first] = FACE, one, two
+        pairs.witness[p, 0], pairs.witness[p, 1 + first], pairs.witness[p, 2 - first] = FACE, own_face, other_face
     return widest > 0.0
 
 
@@ -138,12 +138,12 @@ def heights_on(near, block, face, count):
 @inner
 def face_along(near, piece, n):
     """The free face of a piece that looks most along n, and the cosine between both."""
-    normal, face_start, face, most = near.turned.normal, near.pieces.face_start, 0, -2.0
+    normal, face_start, face, cosine = near.turned.normal, near.pieces.face_start, 0, -2.0
     for f in range(face_start[piece], face_start[piece + 1]):
         along = dot(vector_at(normal, f, 0), n)
-        if along > most and not near.pieces.inner[f]:
-            face, most = f, along
-    return face, most
+        if along > cosine and not near.pieces.inner[f]:
+            face, cosine = f, along
+    return face, cosine
 
 
 @inner

@@ -293,7 +293,7 @@ def search_of(
         moves=free.copy(),
         mass=masses_of(layout, masses, pieces.block) if tets is None else masses_behind(layout, masses)[pieces.block],
         meshed=tets is not None,
-        least=LEAST * size**2,
+        minimum_area=LEAST * size**2,
         deep=np.sqrt(LEAST * size[pieces.block] ** 2),
         position=np.zeros((count, 3)),
         built=np.full(count, -1e30),
