@@ -21,7 +21,7 @@ class Bars(NamedTuple):
     apart       (K, 3) m, from the first end to the second one, as at the start
     length      (K,) m, of that
     stiffness   (K,) N/m
-    least, most (K,) N, at which it yields; a bar whose least force is 0 goes slack there, and stays as long as it is
+    minimum, maximum (K,) N, at which it yields; a bar whose minimum is 0 goes slack there, and stays as long as it is
     slack       (K,) m, by which the ends may part before it bears
     shortening  (K,) m, by which it is tightened while dead loads come on: pretension over stiffness
     first       row of `force` at which those of bars begin
@@ -39,8 +39,8 @@ class Bars(NamedTuple):
     apart: np.ndarray
     length: np.ndarray
     stiffness: np.ndarray
-    least: np.ndarray
-    most: np.ndarray
+    minimum: np.ndarray
+    maximum: np.ndarray
     slack: np.ndarray
     shortening: np.ndarray
     first: int
@@ -63,8 +63,8 @@ def pulling(bars: Bars, turns: bool, u: np.ndarray, shared: np.ndarray) -> Call:
 @CompiledPart
 def _pull(record):
     (
-        sides, apart, length, stiffness, least, most, slack, shortening, first, force, tension, elongation, plastic,
-        tightened, plastic_work, tightening, peak, trough, turns, u, shared,
+        sides, apart, length, stiffness, minimum, maximum, slack, shortening, first, force, tension, elongation,
+        plastic, tightened, plastic_work, tightening, peak, trough, turns, u, shared,
     ) = unpack(record)  # fmt: skip
     once = min(shared[FACTOR], 1.0)
     for k in range(len(length)):
@@ -81,8 +81,8 @@ def _pull(record):
             x, y, z = x + p, y + q, z + r
         before, shorter = tension[k], once * shortening[k]
         pull = stiffness[k] * (longer - slack[k] - plastic[k] + shorter)
-        bound = min(max(pull, least[k]), most[k])
-        if bound != pull and (bound > 0.0 or least[k] < 0.0):
+        bound = min(max(pull, minimum[k]), maximum[k])
+        if bound != pull and (bound > 0.0 or minimum[k] < 0.0):
             yielded = (pull - bound) / stiffness[k]
             plastic[k] += yielded
             plastic_work[k] += bound * yielded

@@ -76,19 +76,19 @@ def push_rigid(bonds, motion, local, force):
             continue
         whole, by_x, by_y, by_z = nothing, nothing, nothing, nothing
         for c in range(first, last):
-            own = take_row(force, c)
+            row = take_row(force, c)
             x, y, z, _ = numbers(plus(take_row(across, c), 1.0, take_row(local, 1 + c)))
-            whole, by_x = plus(whole, 1.0, own), plus(by_x, x, own)
-            by_y, by_z = plus(by_y, y, own), plus(by_z, z, own)
+            whole, by_x = plus(whole, 1.0, row), plus(by_x, x, row)
+            by_y, by_z = plus(by_y, y, row), plus(by_z, z, row)
         f, x, y, z = numbers(whole), numbers(by_x), numbers(by_y), numbers(by_z)
         f, moment = (f[0], f[1], f[2]), (y[2] - z[1], z[0] - x[2], x[1] - y[0])
         a, b = runs[k, 0], runs[k, 1]
         m, n = matrix_at(frame, a), matrix_at(frame, b)
-        own, on_a = times(m, f), times(m, added(moment, cross(vector_at(lever, k, 0), f)))
+        resultant, on_a = times(m, f), times(m, added(moment, cross(vector_at(lever, k, 0), f)))
         arm = minus(times(n, vector_at(lever, k, 3)), times(m, vector_at(local, 1 + first, 0)))
-        on_b = added(times(m, moment), cross(arm, own))
-        add(push, a, 1.0, own[0], own[1], own[2], on_a[0], on_a[1], on_a[2])
-        add(push, b, -1.0, own[0], own[1], own[2], on_b[0], on_b[1], on_b[2])
+        on_b = added(times(m, moment), cross(arm, resultant))
+        add(push, a, 1.0, resultant[0], resultant[1], resultant[2], on_a[0], on_a[1], on_a[2])
+        add(push, b, -1.0, resultant[0], resultant[1], resultant[2], on_b[0], on_b[1], on_b[2])
 
 
 @inner

@@ -39,29 +39,29 @@ def apart(a, b, n):
 
 
 @inlined
-def crush(own, crushed, c, joint, history, bears, opening, sigma, tau, acting):
+def crush(lanes, crushed, c, joint, history, bears, opening, sigma, tau, acting):
     """Opening (m) and elastic shear stress (Pa) that the law sees, once the contacts from c on are back on their cap.
 
-    own  which of them there are    sigma, tau  Pa, elastic stresses    acting  those that acted until now
+    lanes  which of them there are    sigma, tau  Pa, elastic stresses    acting  those that acted until now
     """
     closing, hardening, taken = take(crushed, (c, 0), tau), take(crushed, (c, 1), tau), take(crushed, (c, 2), tau)
     squeezed = return_to_cap(joint, history, closing, hardening, bears, opening, sigma, tau, acting)
-    put_where(own, crushed, (c, 0), squeezed.closing)
-    put_where(own, crushed, (c, 1), squeezed.hardening)
-    put_where(own, crushed, (c, 2), taken + squeezed.work)
+    put_where(lanes, crushed, (c, 0), squeezed.closing)
+    put_where(lanes, crushed, (c, 1), squeezed.hardening)
+    put_where(lanes, crushed, (c, 2), taken + squeezed.work)
     return squeezed.opening, squeezed.tau
 
 
 @inlined
-def write_history(own, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip):
+def write_history(lanes, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip):
     """Write the history after an update, of those contacts from c on that there are; nothing where an array is None."""
-    put_where(own, opening_max, c, update.history.opening_max)
-    put_where(own, intact_n, c, update.history.intact_n)
-    put_where(own, intact_s, c, update.history.intact_s)
-    put_where(own, secant, c, update.history.secant)
-    put_where(own, dilation, c, update.history.dilation)
-    put_where(own, permanent_opening, c, update.history.permanent_opening)
-    put_where(own, plastic_slip, c, update.history.plastic_slip)
+    put_where(lanes, opening_max, c, update.history.opening_max)
+    put_where(lanes, intact_n, c, update.history.intact_n)
+    put_where(lanes, intact_s, c, update.history.intact_s)
+    put_where(lanes, secant, c, update.history.secant)
+    put_where(lanes, dilation, c, update.history.dilation)
+    put_where(lanes, permanent_opening, c, update.history.permanent_opening)
+    put_where(lanes, plastic_slip, c, update.history.plastic_slip)
 
 
 def _sweep(
@@ -81,7 +81,7 @@ def _sweep(
     flexibility = 1.0 / ks
     for k in prange((last - first + width - 1) // width):
         c = first + width * k
-        own = below(last - c, like)
+        lanes = below(last - c, like)
         nx, ny, nz = take(normal, (c, 0), like), take(normal, (c, 1), like), take(normal, (c, 2), like)
         a, b = gather(u, sides, (c, 0), like), gather(u, sides, (c, 1), like)
         opening, sx, sy, sz = apart(a, b, (nx, ny, nz))
@@ -103,42 +103,42 @@ def _sweep(
             inside = is_within(joint_c, bears, sigma, tau_squared)
             unchanged = unchanged & inside
         stays = filled(1.0, opening)
-        if any_lane(unless(own, unchanged)):
+        if any_lane(unless(lanes, unchanged)):
             total, tau = sqrt(sx * sx + sy * sy + sz * sz), sqrt(tau_squared)
             acts = acted(dilation, c, like, force, (nx, ny, nz), area)
             left_by_cap = tau
-            if crushed is not None and any_lane(unless(own, inside)):
+            if crushed is not None and any_lane(unless(lanes, inside)):
                 acting = acts_on(c, like, force, (nx, ny, nz), take(area, c, like))
-                opening, left_by_cap = crush(own, crushed, c, joint_c, history, bears, opening, sigma, tau, acting)
+                opening, left_by_cap = crush(lanes, crushed, c, joint_c, history, bears, opening, sigma, tau, acting)
                 sigma, unchanged = elastic_trial(parameters_c, joint_c, history, opening, left_by_cap * left_by_cap)
-            fraction, left = filled(1.0, opening), filled(0.0, opening)
-            if crushed is None or any_lane(unless(own, unchanged)):
+            fraction, slip_factor = filled(1.0, opening), filled(0.0, opening)
+            if crushed is None or any_lane(unless(lanes, unchanged)):
                 update = return_mapping(parameters_c, joint_c, history, opening, total, left_by_cap, acts)
                 write_history(
-                    own, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip
+                    lanes, c, update, opening_max, intact_n, intact_s, secant, dilation, permanent_opening, plastic_slip
                 )
-                put_where(own, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
-                put_where(own, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
-                put_where(own, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
+                put_where(lanes, dissipated, (c, 0), or_zero(take(dissipated, (c, 0), like), like) + update.mode_1)
+                put_where(lanes, dissipated, (c, 1), or_zero(take(dissipated, (c, 1), like), like) + update.mode_2)
+                put_where(lanes, dissipated, (c, 2), or_zero(take(dissipated, (c, 2), like), like) + update.friction)
                 sigma, fraction = update.sigma, update.fraction
                 if crushed is not None:
                     fraction = where(tau > 0.0, fraction * left_by_cap / tau, fraction)
-                left = slip_of(update, (1.0 - fraction) * flexibility)
+                slip_factor = slip_of(update, (1.0 - fraction) * flexibility)
             elif crushed is not None:
                 fraction = where(tau > 0.0, left_by_cap / tau, fraction)
-                left = (1.0 - fraction) * flexibility
+                slip_factor = (1.0 - fraction) * flexibility
             stays = filled(fraction, opening)
-            put_where(own, slip, (c, 0), px + left * tx)
-            put_where(own, slip, (c, 1), py + left * ty)
-            put_where(own, slip, (c, 2), pz + left * tz)
+            put_where(lanes, slip, (c, 0), px + slip_factor * tx)
+            put_where(lanes, slip, (c, 1), py + slip_factor * ty)
+            put_where(lanes, slip, (c, 2), pz + slip_factor * tz)
             tx, ty, tz = fraction * tx, fraction * ty, fraction * tz
         if stress is not None:
             stiff = stiffness_now(joint_c.normal_stiffness, sigma, opening)
             stuck = where((stiff > 0.0) & (stays == 1.0), ks * (stiff / joint_c.normal_stiffness), 0.0)
             room = pull_left(joint_c.tensile_strength, take(intact_n, c, like), sigma)
             parted = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-            q, work = of_bond(own, keep, gain, before, stress, c, parted, (nx, ny, nz), stiff, stuck, room)
-            put_where(own, taken, c, take(taken, c, like) + work)
+            q, work = of_bond(lanes, keep, gain, before, stress, c, parted, (nx, ny, nz), stiff, stuck, room)
+            put_where(lanes, taken, c, take(taken, c, like) + work)
             tx, ty, tz = tx + q[0], ty + q[1], tz + q[2]
         size = take(area, c, like)
         put_rows(force, c, last - c, size * (sigma * nx + tx), size * (sigma * ny + ty), size * (sigma * nz + tz))

@@ -65,12 +65,12 @@ class Stepper:
     def prepare(self, make: Callable[[np.ndarray], StepCalls], damping: Any, *made_of: Any) -> StepCalls:
         """The program that `make` makes of what parts share; compiled, or loaded from the cache."""
         before, damped = self.made_of, self.damping
-        same = before is not None and all(one is other for one, other in zip(before, made_of, strict=True))
+        same = before is not None and all(former is other for former, other in zip(before, made_of, strict=True))
         if same and damping is damped:
             return self.program
         if same and isinstance(damping, tuple) and type(damping) is type(damped):
-            for one in self.program.calls:
-                one.replace(damped, damping)
+            for call in self.program.calls:
+                call.replace(damped, damping)
         else:
             self.program = make(self.shared)
             self.addresses = self.program.addresses()

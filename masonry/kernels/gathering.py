@@ -55,18 +55,18 @@ def gather_velocities(motion, members, rigid, affine, tets):
         for k in range(len(members.affine)):
             b = members.affine[k]
             put_vector(v, b, 0, vector_at(affine.v, k, 0))
-            own = in_space(affine.axes, k, affine.v)
-            put_matrix(rate, b, own)
-            stretching(motion, b, own)
+            gradient_rate = in_space(affine.axes, k, affine.v)
+            put_matrix(rate, b, gradient_rate)
+            stretching(motion, b, gradient_rate)
             radius[b] = longest(matrix_at(affine.frame, k)) * reach[b]
     if tets is not None:
         first = len(v) - len(members.node)
         for t in range(len(members.node)):
             b = first + t
-            mean, own = spread(members, t, tets.v)
+            mean, gradient_rate = spread(members, t, tets.v)
             put_vector(v, b, 0, mean)
-            put_matrix(rate, b, own)
-            stretching(motion, b, own)
+            put_matrix(rate, b, gradient_rate)
+            stretching(motion, b, gradient_rate)
             radius[b] = longest(matrix_at(motion.frame, b)) * reach[b]
 
 
@@ -79,28 +79,28 @@ def gather_places(motion, members, rigid, affine, tets, bonds):
         for k in range(len(members.rigid)):
             b = members.rigid[k]
             put_vector(moved, b, 0, vector_at(rigid.q, k, 0))
-            own = matrix_at(rigid.frame, k)
-            put_matrix(frame, b, own)
-            put_matrix(dual, b, own)
-            put_matrix(bonds.frames, b, own)
+            gradient = matrix_at(rigid.frame, k)
+            put_matrix(frame, b, gradient)
+            put_matrix(dual, b, gradient)
+            put_matrix(bonds.frames, b, gradient)
     if affine is not None:
         for k in range(len(members.affine)):
             b = members.affine[k]
             put_vector(moved, b, 0, vector_at(affine.q, k, 0))
-            own = matrix_at(affine.frame, k)
-            put_matrix(frame, b, own)
-            put_matrix(dual, b, transposed(inverse(own)))
+            gradient = matrix_at(affine.frame, k)
+            put_matrix(frame, b, gradient)
+            put_matrix(dual, b, transposed(inverse(gradient)))
             if turning:
-                put_matrix(bonds.frames, b, nearest_rotation(own))
+                put_matrix(bonds.frames, b, nearest_rotation(gradient))
     if tets is not None:
         first = len(moved) - len(members.node)
         for t in range(len(members.node)):
             b = first + t
             mean, h = spread(members, t, bonds.u)
-            own = 1.0 + h[0], h[1], h[2], h[3], 1.0 + h[4], h[5], h[6], h[7], 1.0 + h[8]
+            gradient = 1.0 + h[0], h[1], h[2], h[3], 1.0 + h[4], h[5], h[6], h[7], 1.0 + h[8]
             put_vector(moved, b, 0, mean)
-            put_matrix(frame, b, own)
-            put_matrix(dual, b, transposed(inverse(own)))
+            put_matrix(frame, b, gradient)
+            put_matrix(dual, b, transposed(inverse(gradient)))
         for k in range(len(members.tets)):
             if turning:
                 put_matrix(bonds.frames, members.tets[k], nearest_rotation(matrix_at(tets.frame, k)))
@@ -169,9 +169,9 @@ def in_space(axes, k, v):
 
 
 @inner
-def stretching(motion, b, own):
+def stretching(motion, b, rate):
     """Write the spin of block b and the norm of its rate of stretching, from its F'."""
-    g = product(own, transposed(matrix_at(motion.dual, b)))
+    g = product(rate, transposed(matrix_at(motion.dual, b)))
     x, y, z = axial(g)
     put_vector(motion.v, b, 3, (0.5 * x, 0.5 * y, 0.5 * z))
     p, q, r = g[5] + g[7], g[2] + g[6], g[1] + g[3]

@@ -59,7 +59,8 @@ def of_each_kind(part: CompiledPart, bodies: Sequence[Any], *arguments: Any) -> 
     """A call for the bodies of each kind that there are: those of the other kinds are None in it."""
     present = [kind for kind, body in enumerate(bodies) if body is not None]
     return [
-        part.of(*arguments, *(body if kind == own else None for kind, body in enumerate(bodies))) for own in present
+        part.of(*arguments, *(body if kind == present_kind else None for kind, body in enumerate(bodies)))
+        for present_kind in present
     ]
 
 

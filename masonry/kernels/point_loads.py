@@ -38,7 +38,7 @@ def shifting(points: PointLoads, body: Any, shared: np.ndarray) -> Call:
 def _shift(record):
     """Moments of this step, M = (arm now - arm at the start) x F, behind which those of the step before are kept."""
     row, arm, fixed, load, change, q, frame, shifted, shared = unpack(record)
-    once, beyond = min(shared[FACTOR], 1.0), max(shared[FACTOR] - 1.0, 0.0)
+    once, excess = min(shared[FACTOR], 1.0), max(shared[FACTOR] - 1.0, 0.0)
     for k in range(len(row)):
         for i in range(3):
             shifted[row[k], 3 + i] = shifted[row[k], i]
@@ -53,9 +53,9 @@ def _shift(record):
             x = (frame[b, 0, 0] - 1.0) * arm[k, 0] + frame[b, 0, 1] * arm[k, 1] + frame[b, 0, 2] * arm[k, 2]
             y = frame[b, 1, 0] * arm[k, 0] + (frame[b, 1, 1] - 1.0) * arm[k, 1] + frame[b, 1, 2] * arm[k, 2]
             z = frame[b, 2, 0] * arm[k, 0] + frame[b, 2, 1] * arm[k, 1] + (frame[b, 2, 2] - 1.0) * arm[k, 2]
-        fx = once * load[k, 0] + beyond * change[k, 0]
-        fy = once * load[k, 1] + beyond * change[k, 1]
-        fz = once * load[k, 2] + beyond * change[k, 2]
+        fx = once * load[k, 0] + excess * change[k, 0]
+        fy = once * load[k, 1] + excess * change[k, 1]
+        fz = once * load[k, 2] + excess * change[k, 2]
         shifted[b, 0] += y * fz - z * fy
         shifted[b, 1] += z * fx - x * fz
         shifted[b, 2] += x * fy - y * fx

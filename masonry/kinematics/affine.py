@@ -64,11 +64,11 @@ def move(body, dt, damping, loading, force, u):
         nothing = pack((0.0, 0.0, 0.0, 0.0))
         whole, by_a, by_b, by_c = nothing, nothing, nothing, nothing
         for k in range(start[b], start[b + 1]):
-            own, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
-            whole = plus(whole, side, own)
-            by_a = plus(by_a, side * arm[k, 0], own)
-            by_b = plus(by_b, side * arm[k, 1], own)
-            by_c = plus(by_c, side * arm[k, 2], own)
+            row, side = take_row(force, code[k] >> 1), 1.0 - 2.0 * (code[k] & 1)
+            whole = plus(whole, side, row)
+            by_a = plus(by_a, side * arm[k, 0], row)
+            by_b = plus(by_b, side * arm[k, 1], row)
+            by_c = plus(by_c, side * arm[k, 2], row)
         f, x, y, z = numbers(whole), numbers(by_a), numbers(by_b), numbers(by_c)
         sums = (f[0], f[1], f[2], x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2])
         inner = _inner(body, b)

@@ -97,8 +97,8 @@ def move(body, dt, damping, loading, force, u):
         f, m = added(f, patch_force(patches, b)), _with_spatial(apart, patches, couple, b, m, h, axes)
         p = times_symmetric(_edges(h, axes, b), _stress(h, axes, b, -stiffness[b, 0], -stiffness[b, 1]))
         done, drawn = (four(), four(), four()), four()
-        own, inner = (f[0], f[1], f[2], m[0]), (0.0, 0.0, 0.0, p[0])
-        done, drawn = _advance_row(body, b, 0, own, inner, dt, damping, loading, done, drawn)
+        contact, inner = (f[0], f[1], f[2], m[0]), (0.0, 0.0, 0.0, p[0])
+        done, drawn = _advance_row(body, b, 0, contact, inner, dt, damping, loading, done, drawn)
         done, drawn = _advance_row(body, b, 4, m[1:5], p[1:5], dt, damping, loading, done, drawn)
         done, drawn = _advance_row(body, b, 8, m[5:9], p[5:9], dt, damping, loading, done, drawn)
         keep(work, b, done)
@@ -110,10 +110,10 @@ def _advance_row(body, b, first, contact, inner, dt, damping, loading, done, dra
     """Four dofs; `drawn` grows by what the stiffness gives, the sum of its forces now and before times v."""
     contacts, inners = pack(contact), pack(inner)
     for i in range(0, 4, FOUR):
-        at, own = (b, first + i), part(inners, i)
-        drawn = drawn + (own + take(body.inner, at, own)) * take(body.v, at, own)
-        put(body.inner, at, own)
-        done = advance(body, at, part(contacts, i), own, dt, damping, loading, done)
+        at, inner_force = (b, first + i), part(inners, i)
+        drawn = drawn + (inner_force + take(body.inner, at, inner_force)) * take(body.v, at, inner_force)
+        put(body.inner, at, inner_force)
+        done = advance(body, at, part(contacts, i), inner_force, dt, damping, loading, done)
     return done, drawn
 
 
@@ -189,7 +189,7 @@ def observe(body, stress):
 
     Returns the elastic energy (J), the least det F, and a bound on the largest stretch of any line.
     """
-    energy, least, largest = 0.0, np.inf, 0.0
+    energy, smallest, largest = 0.0, np.inf, 0.0
     for b in range(len(body.q)):
         h = _columns(body.q, b)
         e = _green(h, body.axes, b)
@@ -199,5 +199,5 @@ def observe(body, stress):
         for i, value in enumerate((t[0], t[4], t[8], t[5], t[2], t[1])):
             stress[b, i] = value / jacobian
         energy += work_density(s, e)
-        least, largest = min(least, jacobian), max(largest, largest_stretch(e))
-    return energy, least, largest
+        smallest, largest = min(smallest, jacobian), max(largest, largest_stretch(e))
+    return energy, smallest, largest

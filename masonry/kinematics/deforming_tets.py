@@ -108,12 +108,12 @@ def _push(p, x, y, z):
 def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes and the frames."""
     v, start, frame, mean_slope = body.v, body.node_start, body.frame, body.mean_slope
-    corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
+    corner, fraction, begin, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
     for b in prange(len(body.lame)):
         for n in range(start[b], start[b + 1]):
             for i in range(0, 3, FOUR):
                 put(u, (n, i), take(u, (n, i), four()) + dt * take(v, (n, i), four()))
-        interpolate(corner, fraction, own, first, b, u)
+        interpolate(corner, fraction, begin, first, b, u)
         _put_frame(frame, mean_slope, start, b, u)
 
 
@@ -140,15 +140,15 @@ def _couple(apart, frame, first, last, start, code, pull_start, pull_code, pull_
     by_x = by_y = by_z = pack((0.0, 0.0, 0.0, 0.0))
     for k in range(start[first], start[last]):
         c, on_a = code[k] >> 1, 1.0 - (code[k] & 1)
-        own = take_row(force, c)
-        by_x, by_y = plus(by_x, on_a * apart[c, 0], own), plus(by_y, on_a * apart[c, 1], own)
-        by_z = plus(by_z, on_a * apart[c, 2], own)
+        row = take_row(force, c)
+        by_x, by_y = plus(by_x, on_a * apart[c, 0], row), plus(by_y, on_a * apart[c, 1], row)
+        by_z = plus(by_z, on_a * apart[c, 2], row)
     if pull_start is not None:
         for k in range(pull_start[first], pull_start[last]):
             c, on_a = pull_code[k] >> 1, pull_fraction[k] * (1.0 - (pull_code[k] & 1))
-            own = take_row(force, c)
-            by_x, by_y = plus(by_x, on_a * apart[c, 0], own), plus(by_y, on_a * apart[c, 1], own)
-            by_z = plus(by_z, on_a * apart[c, 2], own)
+            row = take_row(force, c)
+            by_x, by_y = plus(by_x, on_a * apart[c, 0], row), plus(by_y, on_a * apart[c, 1], row)
+            by_z = plus(by_z, on_a * apart[c, 2], row)
     x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
     couple = y[2] - z[1], z[0] - x[2], x[1] - y[0]
     return product(skew(couple), transposed(inverse(matrix_at(frame, b))))
@@ -206,9 +206,9 @@ def move(body, dt, damping, loading, force, u):
             contact = pulled(pull_start, pull_code, pull_fraction, n, force, contact)
             contact = _patched(patches, n, _turned(apart, mean_slope, n, couple, contact))
             for i in range(0, 3, FOUR):
-                own = take(inner, (n, i), four())
-                drawn = drawn + own * take(v, (n, i), four())
-                done = advance(body, (n, i), part(contact, i), own, dt, damping, loading, done)
+                inner_force = take(inner, (n, i), four())
+                drawn = drawn + inner_force * take(v, (n, i), four())
+                done = advance(body, (n, i), part(contact, i), inner_force, dt, damping, loading, done)
         keep(work, b, done)
         keep_drawn(work, b, 0.5 * dt * total(drawn))
 
@@ -219,7 +219,7 @@ def observe(body, u, stress):
 
     Returns the elastic energy (J), the least det F of any tet, and a bound on the largest stretch of any line.
     """
-    energy, least, largest = 0.0, np.inf, 0.0
+    energy, smallest, largest = 0.0, np.inf, 0.0
     for b in range(len(body.lame)):
         stress[b] = 0.0
         before = now = 0.0
@@ -236,10 +236,10 @@ def observe(body, u, stress):
                     stress[b, i] += size * value
                 energy += size * work_density(s, e)
                 before, now = before + size, now + size * jacobian
-                least, largest = min(least, jacobian), max(largest, largest_stretch(e))
+                smallest, largest = min(smallest, jacobian), max(largest, largest_stretch(e))
         for i in range(6):
             stress[b, i] *= before / now
-    return energy, least, largest
+    return energy, smallest, largest
 
 
 def mean_slopes(

@@ -20,11 +20,11 @@ def moments(apart, start, code, arm, force, b):
     for k in range(start[b], start[b + 1]):
         c, on_b = code[k] >> 1, 1.0 * (code[k] & 1)
         row = take_row(force, c)
-        own = plus(nothing, 1.0 - 2.0 * on_b, row)
-        whole = plus(whole, 1.0, own)
-        by_x = plus(by_x, arm[k, 0], own)
-        by_y = plus(by_y, arm[k, 1], own)
-        by_z = plus(by_z, arm[k, 2], own)
+        push = plus(nothing, 1.0 - 2.0 * on_b, row)
+        whole = plus(whole, 1.0, push)
+        by_x = plus(by_x, arm[k, 0], push)
+        by_y = plus(by_y, arm[k, 1], push)
+        by_z = plus(by_z, arm[k, 2], push)
         if apart is not None:
             on_a = plus(nothing, 1.0 - on_b, row)
             beside_x = plus(beside_x, apart[c, 0], on_a)

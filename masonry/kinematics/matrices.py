@@ -206,10 +206,10 @@ def exponential(rotation):
 def straightened(r):
     """The rotation next to r, one but for round-off: r (3 - r^T r) / 2. That turns nothing, so no energy drifts."""
     a, b, c, d, e, f = strain((r[0] - 1.0, r[1], r[2], r[3], r[4] - 1.0, r[5], r[6], r[7], r[8] - 1.0))
-    off = times_symmetric(r, (a, b, c, d, e, f))
+    rest = times_symmetric(r, (a, b, c, d, e, f))
     return (
-        *(r[0] - off[0], r[1] - off[1], r[2] - off[2], r[3] - off[3], r[4] - off[4], r[5] - off[5]),
-        *(r[6] - off[6], r[7] - off[7], r[8] - off[8]),
+        *(r[0] - rest[0], r[1] - rest[1], r[2] - rest[2], r[3] - rest[3], r[4] - rest[4], r[5] - rest[5]),
+        *(r[6] - rest[6], r[7] - rest[7], r[8] - rest[8]),
     )
 
 

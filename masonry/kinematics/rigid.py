@@ -92,11 +92,11 @@ def move(body, dt, damping, loading, force, u):
         nothing = pack((0.0, 0.0, 0.0, 0.0))
         sums, by_x, by_y, by_z = nothing, nothing, nothing, nothing
         for k in range(start[b], start[b + 1]):
-            own = plus(nothing, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
-            sums = plus(sums, 1.0, own)
-            by_x = plus(by_x, arm[k, 0], own)
-            by_y = plus(by_y, arm[k, 1], own)
-            by_z = plus(by_z, arm[k, 2], own)
+            push = plus(nothing, 1.0 - 2.0 * (code[k] & 1), take_row(force, code[k] >> 1))
+            sums = plus(sums, 1.0, push)
+            by_x = plus(by_x, arm[k, 0], push)
+            by_y = plus(by_y, arm[k, 1], push)
+            by_z = plus(by_z, arm[k, 2], push)
         fx, fy, fz, _ = numbers(sums)
         x, y, z = numbers(by_x), numbers(by_y), numbers(by_z)
         mx, my, mz = y[2] - z[1], z[0] - x[2], x[1] - y[0]

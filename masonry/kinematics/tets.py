@@ -96,12 +96,12 @@ def _push(s, x, y, z):
 def update_positions(body, dt, u):
     """Advance the nodes by dt v, and with them the points between nodes."""
     v, start = body.v, body.node_start
-    corner, fraction, own, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
+    corner, fraction, begin, first = body.corner_between, body.fraction_between, body.start_between, body.first_between
     for b in prange(len(body.lame)):
         for n in range(start[b], start[b + 1]):
             for i in range(0, 3, FOUR):
                 put(u, (n, i), take(u, (n, i), four()) + dt * take(v, (n, i), four()))
-        interpolate(corner, fraction, own, first, b, u)
+        interpolate(corner, fraction, begin, first, b, u)
 
 
 @register_jitable

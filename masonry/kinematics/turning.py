@@ -130,19 +130,19 @@ def move(body, dt, damping, loading, force, u):
             _kick(body, eight_rows(b), nothing, nothing, dt, damping, loading)
         else:
             for k in range(b, behind):
-                own, moment = _of_contacts(body, force, k)
-                _kick(body, k, own, moment, dt, damping, loading)
+                resultant, moment = _of_contacts(body, force, k)
+                _kick(body, k, resultant, moment, dt, damping, loading)
 
 
 @register_jitable
 def _of_contacts(body, force, b):
     """Force and moment of the contacts of block b."""
-    own, moment, beside = moments(body.apart, body.start, body.code, body.arm, force, b)
-    return own, added(axial(product(moment, transposed(matrix_at(body.frame, b)))), beside)
+    resultant, moment, beside = moments(body.apart, body.start, body.code, body.arm, force, b)
+    return resultant, added(axial(product(moment, transposed(matrix_at(body.frame, b)))), beside)
 
 
 @register_jitable(forceinline=True)
-def _kick(body, b, own, moment, dt, damping, loading):
+def _kick(body, b, resultant, moment, dt, damping, loading):
     """Push block b, or eight of them, by the force and moment of their contacts and all that acts besides.
 
     With K = L(n-1/2) J(n)^-1 L(n+1/2) / 2 the works close to round-off: K gains dt/2 (M(n-1) w+ + M(n) w-), with w+ and
@@ -150,13 +150,13 @@ def _kick(body, b, own, moment, dt, damping, loading):
     """
     v, contact, reaction, momentum = body.v, body.contact, body.hold, body.momentum
     moment = added(moment, patch_couple(body.patches, b))
-    own = added(own, patch_force(body.patches, b))
+    resultant = added(resultant, patch_force(body.patches, b))
     before, angular = vector_at(v, b, 3), vector_at(momentum, b, 0)
-    nothing = filled(0.0, own[0])
+    nothing = filled(0.0, resultant[0])
     done = nothing, nothing, nothing
-    done = advance(body, (b, 0), own[0], 0.0, dt, damping, loading, done)
-    done = advance(body, (b, 1), own[1], 0.0, dt, damping, loading, done)
-    done = advance(body, (b, 2), own[2], 0.0, dt, damping, loading, done)
+    done = advance(body, (b, 0), resultant[0], 0.0, dt, damping, loading, done)
+    done = advance(body, (b, 1), resultant[1], 0.0, dt, damping, loading, done)
+    done = advance(body, (b, 2), resultant[2], 0.0, dt, damping, loading, done)
 
     q, principal = principal_axes(body.axes, b, matrix_at(body.frame, b)), vector_at(body.inertia, b, 0)
     free = free_axes(vector_at(body.dt_over_mass, b, 3))

@@ -82,11 +82,11 @@ def gather_corners(context, array, corner, t, j, like):
         for k in range(4):
             at = context.make_tuple(builder, types.UniTuple(types.int64, 3), _places(context, builder, sig, args, k))
             parts = types.UniTuple(types.int64, 3)
-            own = types.void(array, corner, parts)
+            signature = types.void(array, corner, parts)
             if isinstance(like, Lanes):
-                found = _columns(builder, _rows(context, builder, own, [args[0], args[1], at]))
+                found = _columns(builder, _rows(context, builder, signature, [args[0], args[1], at]))
             else:
-                found = [builder.load(p) for p in _row(context, builder, own, [args[0], args[1], at])]
+                found = [builder.load(p) for p in _row(context, builder, signature, [args[0], args[1], at])]
             points.append(context.make_tuple(builder, point, found))
         return context.make_tuple(builder, sig.return_type, points)
 

@@ -59,8 +59,8 @@ def _lanes_below(context, count, like):
 
     def generate(context, builder, sig, args):
         vector = ir.VectorType(ir.IntType(64), width)
-        one = builder.insert_element(ir.Constant(vector, ir.Undefined), args[0], WORD(0))
-        counts = builder.shuffle_vector(one, one, ir.Constant(ir.VectorType(WORD, width), [0] * width))
+        lane = builder.insert_element(ir.Constant(vector, ir.Undefined), args[0], WORD(0))
+        counts = builder.shuffle_vector(lane, lane, ir.Constant(ir.VectorType(WORD, width), [0] * width))
         return builder.icmp_signed("<", ir.Constant(vector, list(range(width))), counts)
 
     return sig, generate

@@ -187,7 +187,7 @@ class BarElement(Element):
 
     def clearance(self) -> np.ndarray:
         bars = self.bars
-        return np.where(bars.least < 0.0, -1.0, bars.slack + bars.plastic - bars.elongation - bars.tightened)
+        return np.where(bars.minimum < 0.0, -1.0, bars.slack + bars.plastic - bars.elongation - bars.tightened)
 
     def record(self) -> dict[str, Any]:
         """At any step of a run, and at its end."""
