@@ -165,9 +165,9 @@ def _set_factor(
         if solution.factor <= 1e-9:
             result.remarks.append(f"nothing resists {loads.words}: it moves at the least of it")
     elif wishes.dilation:
-        least = largest_factor(replace(bodies, live=-bodies.live), contacts, method, ANY)
-        if least.status == "solved":
-            result.least = 0.0 if abs(least.factor) <= CLOSED * abs(solution.factor) else -least.factor
+        opposite = largest_factor(replace(bodies, live=-bodies.live), contacts, method, ANY)
+        if opposite.status == "solved":
+            result.least = 0.0 if abs(opposite.factor) <= CLOSED * abs(solution.factor) else -opposite.factor
 
 
 def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts, method: Method) -> Solution:
@@ -176,9 +176,9 @@ def _without_dilation(result: LimitResult, loads: Loads, contacts: RigidContacts
     solution = flat.solution
     result.with_dilation, result.steps = flat.with_dilation, flat.steps
     result.excess, result.open = flat.excess, flat.open
-    if flat.left < (1.0 - LESS) * solution.factor:
+    if flat.end_factor < (1.0 - LESS) * solution.factor:
         result.remarks.append(
-            f"what slides loses the pressure that held it: of the greatest factor {flat.left:.5g} is left then"
+            f"what slides loses the pressure that held it: of the greatest factor {flat.end_factor:.5g} is left then"
         )
     if not flat.converged and solution.status == "solved":
         result.remarks.append(

@@ -55,8 +55,9 @@ def say_of_corners(result: LimitData, loads: Loads, method: Method, factor: floa
     three = followed(loads, contacts, method).solution
     more = three.factor / factor - 1.0 if three.status == "solved" and factor > 0.0 else 0.0
     if abs(more) > TOLD:
-        much = f"{three.factor:.5g} {result.unit}".rstrip() + f", {100.0 * abs(more):.2g} %"
+        difference = f"{three.factor:.5g} {result.unit}".rstrip() + f", {100.0 * abs(more):.2g} %"
         result.remarks.append(
             "joints have points at their corners alone, which turn three times as stiffly as their areas do: with "
-            f"three along each edge the factor is {much} {'more' if more > 0.0 else 'less'}; {WORDS} gives all of it"
+            f"three along each edge the factor is {difference} {'more' if more > 0.0 else 'less'}; "
+            f"{WORDS} gives all of it"
         )

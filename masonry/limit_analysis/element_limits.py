@@ -36,7 +36,7 @@ class LimitElement(Protocol):
     def behind(self, contacts: RigidContacts, bodies: RigidBodies, stiffness: float) -> RigidContacts:
         """The contacts, and behind them its members; stiffness: Pa/m of the joints. Raises SceneError."""
 
-    def bears_in_slack(self, least: float) -> bool:
+    def bears_in_slack(self, threshold: float) -> bool:
         """Whether members bear more than the least force (N) that have slack to take up first."""
 
     def as_data(self) -> dict[str, Any]:
@@ -70,8 +70,8 @@ class LimitBars:
     def behind(self, contacts: RigidContacts, bodies: RigidBodies, stiffness: float) -> RigidContacts:
         return with_bars(contacts, self.places, bodies, stiffness)
 
-    def bears_in_slack(self, least: float) -> bool:
-        return bool((np.abs(self.force)[self.places.slack > 0.0] > least).any())
+    def bears_in_slack(self, threshold: float) -> bool:
+        return bool((np.abs(self.force)[self.places.slack > 0.0] > threshold).any())
 
     def as_data(self) -> dict[str, Any]:
         return {"force": self.force.tolist(), "unit": "N", "yielding": np.flatnonzero(self.yielding).tolist()}
@@ -79,11 +79,13 @@ class LimitBars:
     @property
     def words(self) -> str:
         """The greatest force of any, and how many yield."""
-        bars, most = self.places, int(np.argmax(np.abs(self.force)))
-        where = ", ".join(f"{x:.4g}" for x in bars.point[most, 0])
+        bars, strongest = self.places, int(np.argmax(np.abs(self.force)))
+        where = ", ".join(f"{x:.4g}" for x in bars.point[strongest, 0])
         count = int(self.yielding.sum())
         yields = "none yields" if not count else f"{count} of {bars.count} yield" if bars.count > 1 else "it yields"
-        return f"the greatest force is {self.force[most] / 1e3:.4g} kN, of bar {most} from ({where}) m; {yields}"
+        return (
+            f"the greatest force is {self.force[strongest] / 1e3:.4g} kN, of bar {strongest} from ({where}) m; {yields}"
+        )
 
     def draw(
         self, axes: Any, scene: Scene, blocks: Blocks, camera: Camera, moves: Moves | None, seen: list[Piece]
@@ -93,7 +95,7 @@ class LimitBars:
 
 def limit_elements(plans: Sequence[ElementPlan]) -> list[LimitElement]:
     """Those of a scene that bear in a limit analysis, without force yet."""
-    return [LimitBars(one, np.zeros(one.count)) for one in plans if isinstance(one, BarPlaces)]
+    return [LimitBars(places, np.zeros(places.count)) for places in plans if isinstance(places, BarPlaces)]
 
 
 def with_elements(
@@ -117,7 +119,7 @@ def with_bars(contacts: RigidContacts, bars: BarPlaces, bodies: RigidBodies, sti
         if not len(still):
             raise SceneError("bar: an end that stays in space needs a block that a support holds, in a limit analysis")
         block[block < 0] = still[0]
-    one, none = np.ones(count), np.zeros(count)
+    ones, none = np.ones(count), np.zeros(count)
     patch = int(contacts.patch.max(initial=-1)) + 1 + np.arange(count)
     area = bars.stiffness / stiffness
     behind = RigidContacts(
@@ -127,10 +129,10 @@ def with_bars(contacts: RigidContacts, bars: BarPlaces, bodies: RigidBodies, sti
     names = ("block_a", "block_b", "point", "normal", "patch", "area", "friction", "cohesion", "tension", "solid")
     both = {name: np.concatenate([getattr(contacts, name), getattr(behind, name)]) for name in names}
     crush = None if contacts.crush is None else _wider(contacts.crush, count)
-    link = np.concatenate([contacts.is_link, one > 0.0])
-    most = np.concatenate([np.full(contacts.count, np.inf), bars.most])
+    link = np.concatenate([contacts.is_link, ones > 0.0])
+    limit = np.concatenate([np.full(contacts.count, np.inf), bars.most])
     pretension = np.concatenate([np.zeros(contacts.count), bars.pretension])
-    return replace(contacts, **both, crush=crush, link=link, most=most, pretension=pretension)
+    return replace(contacts, **both, crush=crush, link=link, limit=limit, pretension=pretension)
 
 
 def yielding(bars: BarPlaces, force: np.ndarray) -> np.ndarray:

@@ -70,13 +70,19 @@ def _draw_factors(axes: Any, envelope: FactorEnvelope) -> None:
         position, factor = envelope.along(way)
         label = f"leads along {way}" if len(ways) > 1 else None
         axes.plot(position, np.where(np.isfinite(factor), factor, np.nan), "-", color=COLOURS[way], lw=1.6, label=label)
-    least, x = float(envelope.factor.min()), float(envelope.position[envelope.least])
-    axes.plot(x, least, "o", color="black", ms=6, zorder=5)
+    minimum, x = float(envelope.factor.min()), float(envelope.position[envelope.least])
+    axes.plot(x, minimum, "o", color="black", ms=6, zorder=5)
     axes.annotate(
-        f"{least:.4g} at {x:.4g} m", (x, least), (0, -8), textcoords="offset points", ha="center", va="top", fontsize=10
+        f"{minimum:.4g} at {x:.4g} m",
+        (x, minimum),
+        (0, -8),
+        textcoords="offset points",
+        ha="center",
+        va="top",
+        fontsize=10,
     )
     finite = envelope.factor[np.isfinite(envelope.factor)]
-    axes.set_ylim(0.0, min(SHOWN * max(least, 1e-300), 1.05 * float(finite.max())) or None)
+    axes.set_ylim(0.0, min(SHOWN * max(minimum, 1e-300), 1.05 * float(finite.max())) or None)
     axes.set_ylabel("load factor")
     axes.tick_params(labelbottom=True)
     axes.set_xlabel("position of the middle of the vehicle, m")

@@ -211,8 +211,8 @@ def _rotations_about_axes(fixed: np.ndarray, layout: Layout) -> np.ndarray:
     _about_axes = np.repeat(np.all(fixed, axis=1)[:, None], 3, axis=1)
     number = fixed.sum(axis=1).tolist()
     for block in (b for b, rotations in enumerate(number) if rotations in (1, 2)):
-        one = number[block] == 1
-        odd = int(np.argmax(fixed[block] if one else ~fixed[block]))
+        single = number[block] == 1
+        odd = int(np.argmax(fixed[block] if single else ~fixed[block]))
         along = int(np.argmax(np.abs(layout.axes[block, :, odd])))
-        _about_axes[block] = np.eye(3)[along] == (1.0 if one else 0.0)
+        _about_axes[block] = np.eye(3)[along] == (1.0 if single else 0.0)
     return _about_axes

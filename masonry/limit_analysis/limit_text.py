@@ -81,11 +81,11 @@ def _angle(result: LimitData) -> str:
 def _positions(envelope: FactorEnvelope) -> list[str]:
     """Over how many positions a factor is the least, how surely, and how a run has it."""
     position = envelope.position
-    off = 1.0 - envelope.bound / max(float(envelope.factor.min()), 1e-300)
+    gap = 1.0 - envelope.bound / max(float(envelope.factor.min()), 1e-300)
     lead = "" if len(set(envelope.direction)) == 1 else f" --set vehicle.direction={envelope.direction[envelope.least]}"
     return [
         f"{len(position)} positions from {position.min():.4g} m to {position.max():.4g} m; between them no mechanism "
-        f"of theirs gives less, to {max(off, 1e-6):.0e}",
+        f"of theirs gives less, to {max(gap, 1e-6):.0e}",
         f"a run there: --set 'vehicle.position={position[envelope.least]:.4f} m'{lead} --set limit.accuracy=0.01",
     ]
 

@@ -136,11 +136,11 @@ class PositionSearch:
 
     def bounds(self, loads: np.ndarray) -> np.ndarray:
         """(n,) the least factor that known mechanisms allow under loads (n, B, 6)."""
-        least = np.full(len(loads), np.inf)
+        bound = np.full(len(loads), np.inf)
         for mechanism in self.mechanisms:
             work = np.einsum("nbi,bi->n", loads, mechanism.velocity)
-            least = np.minimum(least, np.divide(mechanism.factor, work, out=np.full(len(work), np.inf), where=work > 0))
-        return least
+            bound = np.minimum(bound, np.divide(mechanism.factor, work, out=np.full(len(work), np.inf), where=work > 0))
+        return bound
 
     def envelope(self) -> FactorEnvelope:
         """Solves what it takes. Raises SceneError where nothing has a limit."""

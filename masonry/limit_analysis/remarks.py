@@ -85,8 +85,8 @@ def say_of_sliding(
 def say_of_slack(result: LimitData) -> None:
     """A word among the assumptions where elements bear a force that have slack to take up first."""
     forces = [result.normal, *(element.force for element in result.elements)]
-    least = CLOSED * float(np.abs(np.concatenate(forces)).max(initial=0.0))
-    result.assumed += "".join(one.on_slack for one in result.elements if one.bears_in_slack(least))
+    threshold = CLOSED * float(np.abs(np.concatenate(forces)).max(initial=0.0))
+    result.assumed += "".join(element.on_slack for element in result.elements if element.bears_in_slack(threshold))
 
 
 def say_of_jams(result: LimitData, bodies: RigidBodies, contacts: RigidContacts, method: Method) -> None:

@@ -47,39 +47,39 @@ def _lost(result: LimitData, bodies: RigidBodies, contacts: RigidContacts) -> fl
     area = np.bincount(of, joints.area)[:, None]
     middle = np.stack([np.bincount(of, joints.area * along) for along in joints.point.T], axis=1) / area
     twist = np.bincount(of, np.einsum("ci,ci->c", normal, np.cross(joints.point - middle[of], result.shear)))
-    share = np.bincount(of, np.abs(np.einsum("ci,ci->c", result.shear, apart))) / work
+    fraction = np.bincount(of, np.abs(np.einsum("ci,ci->c", result.shear, apart))) / work
     counts = np.abs(twist) * spin[first] / work >= TWISTS
     lost = 0.0
-    for face in np.argsort(-share)[:MOST]:
-        own = np.flatnonzero(of == face)
-        if counts[face] and contacts.friction[own].any() and not contacts.solid[own].any():
+    for face in np.argsort(-fraction)[:MOST]:
+        points = np.flatnonzero(of == face)
+        if counts[face] and contacts.friction[points].any() and not contacts.solid[points].any():
             parts = [polygons[patch] for patch in np.flatnonzero(heads == faces[face])]
-            times = _times(result, contacts, own, parts, middle[face], float(twist[face]))
-            lost += share[face] * max(1.0 - 1.0 / times, 0.0)
+            times = _times(result, contacts, points, parts, middle[face], float(twist[face]))
+            lost += fraction[face] * max(1.0 - 1.0 / times, 0.0)
     return float(lost)
 
 
 def _times(
     result: LimitData,
     contacts: RigidContacts,
-    own: np.ndarray,
+    points: np.ndarray,
     polygons: list[np.ndarray],
     middle: np.ndarray,
     twist: float,
 ) -> float:
     """Ratio of the load of a joint in its plane to the load borne there by stresses that are spread over it."""
-    joints, normal = result.joints, result.joints.normal[own[0]]
+    joints, normal = result.joints, result.joints.normal[points[0]]
     axes = axes_across(normal)
     point, area = by_many(polygons)
     place, whole = (point - middle) @ axes.T, float(area.sum())
-    tension = min(float(contacts.tension[own].sum()) / whole, STIFF)
-    force = -float(result.normal[own].sum())
-    moment = -axes @ (result.normal[own] @ (joints.point[own] - middle))
+    tension = min(float(contacts.tension[points].sum()) / whole, STIFF)
+    force = -float(result.normal[points].sum())
+    moment = -axes @ (result.normal[points] @ (joints.point[points] - middle))
     pressed = pressures(place, area, StressBounds(STIFF, tension, np.inf), force, moment)
-    tan, cohesion = min(float(contacts.friction[own[0]]), STEEP), float(contacts.cohesion[own].sum()) / whole
+    tan, cohesion = min(float(contacts.friction[points[0]]), STEEP), float(contacts.cohesion[points].sum()) / whole
     strong = np.maximum(cohesion + tan * pressed, 0.0)
     perfect = ShearCurve(STIFF, np.array([0.0, 1.0]), np.ones(2))
     bears = borne_in_plane(
-        PlanePoints(place, area, strong, strong), perfect, axes @ result.shear[own].sum(axis=0), twist, 0.0
+        PlanePoints(place, area, strong, strong), perfect, axes @ result.shear[points].sum(axis=0), twist, 0.0
     )
     return 1.0 / bears if bears > 0.0 else 1.0

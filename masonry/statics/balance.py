@@ -23,13 +23,13 @@ def unbalanced(bodies: RigidBodies, forces: Equilibrium, contacts: RigidContacts
     unit = np.where(forces.moment, unit / length[forces.block], unit)
     size = own_loads(bodies, contacts, float(unknown[-1] * forces.factor), length)
     np.maximum.at(size, forces.block, unit * (abs(matrix) @ np.abs(unknown) + np.abs(forces.dead)))
-    left = np.zeros(len(size))
-    np.maximum.at(left, forces.block, unit * np.abs(matrix @ unknown + forces.dead))
+    residual = np.zeros(len(size))
+    np.maximum.at(residual, forces.block, unit * np.abs(matrix @ unknown + forces.dead))
     moving = np.where(bodies.free.any(axis=1), size, np.inf)
     pair = np.column_stack([contacts.block_a, contacts.block_b])
     smaller = pair[np.arange(len(pair)), np.argmin(moving[pair], axis=1)]
-    np.maximum.at(left, smaller, _too_much(forces, contacts, unknown))
-    return np.asarray(left / size)
+    np.maximum.at(residual, smaller, _too_much(forces, contacts, unknown))
+    return np.asarray(residual / size)
 
 
 def _too_much(forces: Equilibrium, contacts: RigidContacts, unknown: np.ndarray) -> np.ndarray:
@@ -38,12 +38,12 @@ def _too_much(forces: Equilibrium, contacts: RigidContacts, unknown: np.ndarray)
     normal = forces.force * unknown[:count]
     shear = forces.force[forces.leader] * np.linalg.norm(unknown[count:-1].reshape(groups, k), axis=1)
     bears = np.bincount(forces.group, contacts.cone_friction * normal + contacts.cohesion, groups)
-    beyond = np.maximum(-normal - contacts.tension, (shear - bears)[forces.group])
-    if contacts.most is not None:
-        beyond = np.maximum(beyond, normal - contacts.most)
-    beyond[contacts.solid] = 0.0
+    excess = np.maximum(-normal - contacts.tension, (shear - bears)[forces.group])
+    if contacts.limit is not None:
+        excess = np.maximum(excess, normal - contacts.limit)
+    excess[contacts.solid] = 0.0
     if (crush := contacts.crush) is not None:
         total, first, second = (rows @ normal for rows in (crush.total, crush.first, crush.second))
         pressed = total - np.cbrt(crush.strength * np.maximum(first, 0.0) * np.maximum(second, 0.0))
-        np.maximum.at(beyond, crush.total.indices[crush.total.indptr[:-1]], pressed)
-    return np.maximum(beyond, 0.0)
+        np.maximum.at(excess, crush.total.indices[crush.total.indptr[:-1]], pressed)
+    return np.maximum(excess, 0.0)

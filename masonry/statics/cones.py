@@ -103,14 +103,14 @@ def _bounds(
     alone = forces.tangent.shape[1] == 2
     bounded = ~contacts.solid & np.isfinite(contacts.tension)
     which = np.flatnonzero(bounded & ((apex > contacts.tension) | (friction < SMOOTH) | (not alone)))
-    least, most = between
-    ends = [(sign, bound) for sign, bound in ((-1.0, -least), (1.0, most)) if np.isfinite(bound)]
-    limited = np.zeros(0, dtype=np.int64) if contacts.most is None else np.flatnonzero(np.isfinite(contacts.most))
+    minimum, maximum = between
+    ends = [(sign, bound) for sign, bound in ((-1.0, -minimum), (1.0, maximum)) if np.isfinite(bound)]
+    limited = np.zeros(0, dtype=np.int64) if contacts.limit is None else np.flatnonzero(np.isfinite(contacts.limit))
     column = np.concatenate([which, np.full(len(ends), unknowns - 1), limited])
     sign = np.concatenate([np.full(len(which), -1.0), [end[0] for end in ends], np.ones(len(limited))])
     side = np.concatenate([contacts.tension[which] / forces.force[which], [end[1] for end in ends]])
-    if contacts.most is not None:
-        side = np.concatenate([side, contacts.most[limited] / forces.force[limited]])
+    if contacts.limit is not None:
+        side = np.concatenate([side, contacts.limit[limited] / forces.force[limited]])
     return sparse.csc_array((sign, (np.arange(len(column)), column)), shape=(len(column), unknowns)), side
 
 

@@ -113,9 +113,9 @@ def crushing_cones(
     return cones
 
 
-def _same_rows(one: sparse.csr_array, other: sparse.csr_array) -> np.ndarray:
+def _same_rows(first: sparse.csr_array, second: sparse.csr_array) -> np.ndarray:
     """(M,) whether rows of two matrices agree."""
-    return np.asarray(abs(one - other).max(axis=1).toarray()).ravel() <= SAME
+    return np.asarray(abs(first - second).max(axis=1).toarray()).ravel() <= SAME
 
 
 def _interleaved(

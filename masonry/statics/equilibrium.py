@@ -100,8 +100,8 @@ def _tangents(contacts: RigidContacts, axis: int | None) -> tuple[np.ndarray, np
         _, leader, group = np.unique(contacts.patch, return_index=True, return_inverse=True)
         return np.cross(np.eye(3)[axis], contacts.normal[leader])[:, None], group.ravel(), leader
     every = np.arange(contacts.count)
-    least = np.eye(3)[np.argmin(np.abs(contacts.normal), axis=1)]
-    first = np.cross(contacts.normal, least)
+    reference = np.eye(3)[np.argmin(np.abs(contacts.normal), axis=1)]
+    first = np.cross(contacts.normal, reference)
     first /= np.linalg.norm(first, axis=1, keepdims=True)
     return np.stack([first, np.cross(contacts.normal, first)], axis=1), every, every
 

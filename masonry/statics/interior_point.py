@@ -73,11 +73,13 @@ def _new_solver(programme: Programme) -> Any:
     return clarabel.DefaultSolver(*programme, settings)
 
 
-def _differ_by_sides(one: Programme, two: Programme) -> bool:
+def _differ_by_sides(first: Programme, second: Programme) -> bool:
     """Whether two programmes differ in their sides alone, if at all."""
-    if not np.array_equal(one.cost, two.cost) or [str(kind) for kind in one.kinds] != [str(k) for k in two.kinds]:
+    if not np.array_equal(first.cost, second.cost) or [str(kind) for kind in first.kinds] != [
+        str(k) for k in second.kinds
+    ]:
         return False
-    pairs = ((one.square, two.square), (one.matrix, two.matrix))
+    pairs = ((first.square, second.square), (first.matrix, second.matrix))
     return all(
         a.shape == b.shape
         and np.array_equal(a.indptr, b.indptr)

@@ -69,8 +69,8 @@ def _all_open(bodies: RigidBodies, contacts: RigidContacts) -> bool:
     moves = bodies.free[:, :3] if bodies.together is None else bodies.free[:, :3] & ~bodies.together[:, :3]
     centre = bodies.centre - bodies.centre.mean(axis=0)
     place = np.column_stack([centre / max(float(np.abs(centre).max()), 1e-300), np.ones(len(centre))])
-    _, one = np.unique(np.column_stack([contacts.patch, contacts.block_a]), axis=0, return_index=True)
-    normal, friction = contacts.normal[one], contacts.cone_friction[one]
+    _, sample = np.unique(np.column_stack([contacts.patch, contacts.block_a]), axis=0, return_index=True)
+    normal, friction = contacts.normal[sample], contacts.cone_friction[sample]
     first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal), axis=1)])
     first /= np.linalg.norm(first, axis=1, keepdims=True)
     second = np.cross(normal, first)
@@ -79,9 +79,9 @@ def _all_open(bodies: RigidBodies, contacts: RigidContacts) -> bool:
         along = normal - friction[:, None] * (a * first + b * second)
         parts = [
             sign * (along * moves[block])[:, :, None] * place[block][:, None, :]
-            for block, sign in ((contacts.block_b[one], 1.0), (contacts.block_a[one], -1.0))
+            for block, sign in ((contacts.block_b[sample], 1.0), (contacts.block_a[sample], -1.0))
         ]
-        rows.append((parts[0] + parts[1]).reshape(len(one), 12))
+        rows.append((parts[0] + parts[1]).reshape(len(sample), 12))
     matrix = np.concatenate(rows)
     upper = np.column_stack([-matrix, np.ones(len(matrix))])
     cost = np.append(np.zeros(12), -1.0)

@@ -34,8 +34,8 @@ def solve_linear(
     low = np.full(count + groups * k + 1, -np.inf)
     high = np.full(len(low), np.inf)
     low[:count] = np.where(contacts.solid, -np.inf, -contacts.tension / forces.force)
-    if contacts.most is not None:
-        high[:count] = contacts.most / forces.force
+    if contacts.limit is not None:
+        high[:count] = contacts.limit / forces.force
     low[-1], high[-1] = between
     cost = np.zeros(len(low))
     cost[-1] = -1.0
@@ -56,8 +56,8 @@ def solve_linear(
     for side, values in ((optimum.lower, low), (optimum.upper, high)):
         finite = np.isfinite(values)
         dual += values[finite] @ side.marginals[finite]
-    left = matrix @ optimum.x + forces.dead
-    apart = abs(optimum.fun - dual) + np.abs(left) @ np.abs(optimum.eqlin.marginals)
+    residual = matrix @ optimum.x + forces.dead
+    apart = abs(optimum.fun - dual) + np.abs(residual) @ np.abs(optimum.eqlin.marginals)
     return status, optimum.x, -optimum.eqlin.marginals, float(apart / max(SMALL, abs(optimum.fun)))
 
 

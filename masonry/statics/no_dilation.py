@@ -60,7 +60,7 @@ class Flat:
     excess         largest shear force beyond friction and cohesion, over the unit of each contact: the mean load of a
                    block or, where they differ much, what the smaller block weighs or bears
     open           how far the factor is below that bound, over it
-    left           the factor at the end of the path, less than that found where a peak was passed
+    end_factor     the factor at the end of the path, less than that found where a peak was passed
     """
 
     solution: Solution
@@ -69,7 +69,7 @@ class Flat:
     converged: bool
     excess: float
     open: float
-    left: float
+    end_factor: float
 
 
 def without_dilation(
@@ -103,16 +103,16 @@ def without_dilation(
     if path.factor(best) <= path.factor(now) + DROP * reach:
         return last
     peak = path.end(best, with_dilation, steps)
-    return replace(peak, converged=last.converged, left=last.left) if peak.open >= -OPEN else last
+    return replace(peak, converged=last.converged, end_factor=last.end_factor) if peak.open >= -OPEN else last
 
 
 def standing_without_dilation(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> Flat:
     """As `standing`, but without dilation: all dead loads are put on joints that do not slide, which then may."""
-    own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
-    bound = largest_factor(own, contacts, method, (0.0, 1.0))
+    as_live = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
+    bound = largest_factor(as_live, contacts, method, (0.0, 1.0))
     if bound.status != "solved" or bound.factor < STANDS:
         return Flat(bound, bound.factor, 0, False, 0.0, 0.0, 0.0)
-    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, bound.sizes or alike(own, contacts))
+    path = _LoadPath(as_live, contacts, method, (0.0, 1.0), SOFTER, bound.sizes or alike(as_live, contacts))
     now, pace = path.without_sliding(), 1.0
     for steps in range(1, MOST):
         before, now, pace = now, path.step(now, pace), max(pace * FASTER, NEAREST)
@@ -126,11 +126,11 @@ def standing_without_dilation(bodies: RigidBodies, contacts: RigidContacts, meth
 
 def forces_without_sliding(bodies: RigidBodies, contacts: RigidContacts, method: Method = EXACTLY) -> np.ndarray:
     """(C,) N, the normal forces under the dead loads in joints of one stiffness that do not slide."""
-    own = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
-    path = _LoadPath(own, contacts, method, (0.0, 1.0), SOFTER, alike(own, contacts))
+    as_live = replace(bodies, dead=np.zeros_like(bodies.dead), live=bodies.dead)
+    path = _LoadPath(as_live, contacts, method, (0.0, 1.0), SOFTER, alike(as_live, contacts))
     forces = path.without_sliding()
     still = np.zeros(len(path.forces.dead))
-    return in_space(own, path.forces, contacts, path.flat, path.owner, "solved", forces, still, 0.0).normal
+    return in_space(as_live, path.forces, contacts, path.flat, path.owner, "solved", forces, still, 0.0).normal
 
 
 class _LoadPath:
@@ -178,16 +178,16 @@ class _LoadPath:
         near = NearForces(self.unloaded, self.weight, 0.0)
         return self.solve(stuck, (self.unit, self.unit), near)[1]
 
-    def step(self, before: np.ndarray, pace: float, most: float = inf) -> np.ndarray:
+    def step(self, before: np.ndarray, pace: float, rise: float = inf) -> np.ndarray:
         """The forces when the load has moved on; pace: the less, the further. Where the factor would clearly rise by
-        more than `most`, what the first problem has."""
-        return self.settled(before, pace, 1.0, self.between, TRIES, most)
+        more than `rise`, what the first problem has."""
+        return self.settled(before, pace, 1.0, self.between, TRIES, rise)
 
     def settled(
-        self, before: np.ndarray, pace: float, push: float, between: Range, tries: int, most: float = inf
+        self, before: np.ndarray, pace: float, push: float, between: Range, tries: int, rise: float = inf
     ) -> np.ndarray:
         """Forces whose friction goes with their own normal forces; those of the first problem where the factor rises
-        by more than `most` there."""
+        by more than `rise` there."""
         near = NearForces(before, pace * self.weight, push)
         bounds = (between[0] * self.unit, between[1] * self.unit)
         begins = np.array_equal(before, self.unloaded)
@@ -199,10 +199,10 @@ class _LoadPath:
                 status, after = self.solve(self.flat, bounds, near)
             if status != "solved":
                 return guess
-            off = (after - guess)[: self.flat.count]
-            if np.abs(off).max() <= SAME or (last is None and self.factor(after) - self.factor(before) > most):
+            difference = (after - guess)[: self.flat.count]
+            if np.abs(difference).max() <= SAME or (last is None and self.factor(after) - self.factor(before) > rise):
                 break
-            guess, last = _secant(after, off, last), (after, off)
+            guess, last = _secant(after, difference, last), (after, difference)
         return after
 
     def solve(self, contacts: RigidContacts, bounds: Range, near: NearForces) -> tuple[str, np.ndarray]:
@@ -222,7 +222,7 @@ class _LoadPath:
             self.bodies, self.forces, self.contacts, self.flat, self.owner, "solved", forces, still, 0.0
         )
         any_force = replace(self.flat, solid=np.ones_like(self.flat.solid))
-        left = unbalanced(self.bodies, self.forces, any_force, forces)
+        residual = unbalanced(self.bodies, self.forces, any_force, forces)
         strength = np.maximum(self.contacts.cohesion + self.contacts.cone_friction * solution.normal, 0.0)
         cylinders = replace(self.contacts, friction=np.zeros_like(strength), cohesion=strength)
         bound = largest_factor(self.bodies, cylinders, self.method, self.between)
@@ -235,8 +235,8 @@ class _LoadPath:
             status=status,
             velocity=bound.velocity,
             gap=bound.gap,
-            unbalance=float(left.max()),
-            worst=int(np.argmax(left)),
+            unbalance=float(residual.max()),
+            worst=int(np.argmax(residual)),
         )
         return Flat(solution, with_dilation, steps, converged, excess, open_by, solution.factor)
 
@@ -246,14 +246,14 @@ class _LoadPath:
         bears = self.flat.friction * forces[:count] + self.flat.cohesion / self.forces.force
         shear = np.linalg.norm(forces[count:-1].reshape(groups, k), axis=1)
         soft = np.bincount(self.forces.group, self.flat.solid, groups) == 0
-        beyond = (shear - np.bincount(self.forces.group, bears, groups))[soft]
-        return float(max(beyond.max(initial=0.0), 0.0))
+        excess = (shear - np.bincount(self.forces.group, bears, groups))[soft]
+        return float(max(excess.max(initial=0.0), 0.0))
 
 
-def _secant(after: np.ndarray, off: np.ndarray, last: tuple[np.ndarray, np.ndarray] | None) -> np.ndarray:
+def _secant(after: np.ndarray, difference: np.ndarray, last: tuple[np.ndarray, np.ndarray] | None) -> np.ndarray:
     """Where the next of a row of forces is tried: at the zero of what two of them were off by (Anderson 1965)."""
     if last is None:
         return after
-    change = off - last[1]
-    fraction = float(off @ change) / max(float(change @ change), 1e-300)
+    change = difference - last[1]
+    fraction = float(difference @ change) / max(float(change @ change), 1e-300)
     return np.asarray(after - min(max(fraction, -1.0), 0.7) * (after - last[0]))

@@ -35,11 +35,11 @@ def _is_plane(bodies: RigidBodies, contacts: RigidContacts, axis: int) -> bool:
         return False
     if np.abs(contacts.normal[:, axis]).max() > FLAT:
         return False
-    off = [axis, *(k for k in (3, 4, 5) if k != 3 + axis)]
+    out_of_plane = [axis, *(k for k in (3, 4, 5) if k != 3 + axis)]
     for load in (np.abs(bodies.dead[moves]), np.abs(bodies.live[moves])):
-        if (load[:, off].max(axis=1) > FLAT * load.max(axis=1) * max(1.0, size)).any():
+        if (load[:, out_of_plane].max(axis=1) > FLAT * load.max(axis=1) * max(1.0, size)).any():
             return False
-    if bodies.together is not None and bodies.together[:, off].any():
+    if bodies.together is not None and bodies.together[:, out_of_plane].any():
         return False
     _, owner = flattened(contacts, axis)
     moment = np.bincount(owner, contacts.area * (contacts.point[:, axis] - level))
@@ -56,8 +56,8 @@ def flattened(contacts: RigidContacts, axis: int) -> tuple[RigidContacts, np.nda
     )
     owner = owner.ravel()
     total = {name: np.bincount(owner, getattr(contacts, name)) for name in ("area", "cohesion", "tension")}
-    if contacts.most is not None and contacts.pretension is not None:
-        total |= {name: np.bincount(owner, getattr(contacts, name)) for name in ("most", "pretension")}
+    if contacts.limit is not None and contacts.pretension is not None:
+        total |= {name: np.bincount(owner, getattr(contacts, name)) for name in ("limit", "pretension")}
     if (crush := contacts.crush) is not None:
         fraction = contacts.area / total["area"][owner]
         crush = crush.merged(sparse.csr_array((fraction, (np.arange(contacts.count), owner))))

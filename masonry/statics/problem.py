@@ -44,7 +44,7 @@ class RigidContacts:
     tension           (C,) N, the greatest pull
     solid             (C,) whether the point bears any force
     crush             what compression the polygons bear; None without a limit
-    link, most        (C,) whether it is no point but a link, such as a bar, whose normal force above 0 pulls its ends
+    link, limit       (C,) whether it is no point but a link, such as a bar, whose normal force above 0 pulls its ends
                       together, along a normal from b to a; and N, the greatest normal force; None without any
     pretension        (C,) N, the normal force before anything loads or moves; None where there are no links
     """
@@ -61,7 +61,7 @@ class RigidContacts:
     solid: np.ndarray
     crush: Crushing | None = None
     link: np.ndarray | None = None
-    most: np.ndarray | None = None
+    limit: np.ndarray | None = None
     pretension: np.ndarray | None = None
 
     @property
@@ -77,9 +77,9 @@ class RigidContacts:
         """The same with cohesion, tension, compressive strength, and what links bear and are tightened to, times a
         number."""
         crush = None if self.crush is None else self.crush.times(times)
-        most, tightened = (None if force is None else force * times for force in (self.most, self.pretension))
+        limit, tightened = (None if force is None else force * times for force in (self.limit, self.pretension))
         grown = {"cohesion": self.cohesion * times, "tension": self.tension * times}
-        return replace(self, **grown, crush=crush, most=most, pretension=tightened)
+        return replace(self, **grown, crush=crush, limit=limit, pretension=tightened)
 
     @property
     def is_link(self) -> np.ndarray:

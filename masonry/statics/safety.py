@@ -43,12 +43,12 @@ def factor_of_safety(
             "no amount of friction makes it stand without dilation: something there is held only by joints that press "
             "against each other, and no load here makes them press; a run decides"
         )
-    worst, beyond = best, stands
-    while beyond:
+    worst, stands_at_high = best, stands
+    while stands_at_high:
         low, best, high = high, worst, 4.0 * high
         if low > LARGEST:
             raise SceneError(_why_none(bodies, contacts, method))
-        worst, beyond = at(high)
+        worst, stands_at_high = at(high)
     while not stands:
         high, worst, low = low, best, 0.25 * low
         if low < 1.0 / LARGEST:
@@ -61,9 +61,9 @@ def factor_of_safety(
             low, best = middle, solution
         else:
             high, worst = middle, solution
-    off = best if best.unbalance > worst.unbalance else worst
+    result = best if best.unbalance > worst.unbalance else worst
     both = replace(worst, normal=best.normal, shear=best.shear, gap=max(best.gap, worst.gap))
-    return low, best, replace(both, unbalance=off.unbalance, worst=off.worst)
+    return low, best, replace(both, unbalance=result.unbalance, worst=result.worst)
 
 
 def _why_none(bodies: RigidBodies, contacts: RigidContacts, method: Method) -> str:

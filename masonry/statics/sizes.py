@@ -41,8 +41,8 @@ def own_loads(bodies: RigidBodies, contacts: RigidContacts, factor: float, lengt
     unit = alike(bodies, contacts)
     dead, live = _size(bodies.dead, length), _size(bodies.live, length)
     at_least = np.where(dead > 0.0, abs(factor), max(abs(factor), unit.factor))
-    own = np.maximum(dead, at_least * live)
-    return np.where(own > 0.0, own, unit.force)
+    load = np.maximum(dead, at_least * live)
+    return np.where(load > 0.0, load, unit.force)
 
 
 def own_lengths(bodies: RigidBodies, contacts: RigidContacts) -> np.ndarray:
@@ -58,8 +58,8 @@ def own_lengths(bodies: RigidBodies, contacts: RigidContacts) -> np.ndarray:
 
 def _factor(bodies: RigidBodies, force: np.ndarray, length: np.ndarray) -> float:
     """The factor at which the growing load of a block that moves first is as much as a force (B,)."""
-    most = float((_size(bodies.live, length) / force)[bodies.free.any(axis=1)].max(initial=0.0))
-    return 1.0 / most if most > 0.0 else 1.0
+    ratio = float((_size(bodies.live, length) / force)[bodies.free.any(axis=1)].max(initial=0.0))
+    return 1.0 / ratio if ratio > 0.0 else 1.0
 
 
 def _size(load: np.ndarray, length: np.ndarray) -> np.ndarray:

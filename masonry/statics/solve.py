@@ -132,17 +132,17 @@ def in_space(
     fraction = forces.force[owner] * contacts.area / flat.area[owner]
     shear = np.einsum("gk,gki->gi", sliding.reshape(groups, k), forces.tangent)
     part = _part_of_group(forces, flat, pressing)
-    left = unbalanced(bodies, forces, flat, unknown) if status == "solved" else np.zeros(1)
+    residual = unbalanced(bodies, forces, flat, unknown) if status == "solved" else np.zeros(1)
     return Solution(
         status, float(unknown[-1] * forces.factor),
         fraction * pressing[owner],
         (fraction * part[owner])[:, None] * shear[forces.group[owner]],
-        forces.factor * (forces.rows.T @ velocity).reshape(-1, 6), gap, float(left.max()), int(np.argmax(left)),
+        forces.factor * (forces.rows.T @ velocity).reshape(-1, 6), gap, float(residual.max()), int(np.argmax(residual)),
     )  # fmt: skip
 
 
 def _part_of_group(forces: Equilibrium, flat: RigidContacts, pressing: np.ndarray) -> np.ndarray:
     """(C,) share of the shear force of its group that a point takes: by what it can bear."""
-    least = 1e-12 * flat.area / flat.area.max(initial=1e-300)
-    bears = np.maximum(flat.friction * pressing + flat.cohesion / forces.force, 0.0) + least
+    minimum = 1e-12 * flat.area / flat.area.max(initial=1e-300)
+    bears = np.maximum(flat.friction * pressing + flat.cohesion / forces.force, 0.0) + minimum
     return bears / np.bincount(forces.group, bears)[forces.group]

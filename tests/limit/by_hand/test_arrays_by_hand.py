@@ -36,20 +36,20 @@ def strong() -> RigidContacts:
     tension, most = np.array([2.0, 3.0, np.inf, 5.0]), np.array([np.inf, np.inf, np.inf, 7.0])
     crush = crushing_of(find_joints(stack([(0.5, 1.0)]), "vertex", 2), 4.0, np.ones(4, dtype=bool))
     link = np.arange(4) == 3
-    return replace(contacts, cohesion=np.arange(4.0), tension=tension, crush=crush, link=link, most=most)
+    return replace(contacts, cohesion=np.arange(4.0), tension=tension, crush=crush, link=link, limit=most)
 
 
 def test_a_safety_divides_what_joints_bear_and_leaves_what_bars_bear():
     weak = strong().weakened(2.0)
     assert weak.friction.tolist() == [0.3] * 4 and weak.cohesion.tolist() == [0.0, 0.5, 1.0, 1.5]
-    assert weak.tension.tolist() == [1.0, 1.5, np.inf, 5.0] and weak.most is not None and weak.most[3] == 7.0
+    assert weak.tension.tolist() == [1.0, 1.5, np.inf, 5.0] and weak.limit is not None and weak.limit[3] == 7.0
 
 
 def test_a_tilt_multiplies_all_strengths_and_leaves_friction():
     grown = strong().with_strength(3.0)
     assert grown.friction.tolist() == [0.6] * 4 and grown.cohesion.tolist() == [0.0, 3.0, 6.0, 9.0]
     assert grown.tension.tolist() == [6.0, 9.0, np.inf, 15.0]
-    assert grown.most is not None and grown.most.tolist() == [np.inf, np.inf, np.inf, 21.0]
+    assert grown.limit is not None and grown.limit.tolist() == [np.inf, np.inf, np.inf, 21.0]
     assert grown.crush is not None and grown.crush.strength == pytest.approx(3.0 * 4.0 * 0.15)
 
 
@@ -130,7 +130,7 @@ def test_bars_pull_their_ends_together_and_yield_by_what_they_bear():
     assert both.pretension is not None and both.pretension.tolist() == [0.0] * 4 + [0.5, 0.0]
     assert both.is_link.tolist() == [False] * 4 + [True, True] and both.block_b[4:].tolist() == [1, 0]
     assert both.normal[4:] == pytest.approx(-axis), "a force above 0 on the second end goes towards the first one"
-    assert both.tension[4:].tolist() == [2.0, 0.0] and both.most is not None and both.most[4:].tolist() == [5.0, 3.0]
+    assert both.tension[4:].tolist() == [2.0, 0.0] and both.limit is not None and both.limit[4:].tolist() == [5.0, 3.0]
     assert len(set(both.patch[3:].tolist())) == 3, "each is a joint of its own"
     for force, wanted in (((5.0, 3.0), [1, 1]), ((4.9, 2.9), [0, 0]), ((-2.0, 0.0), [1, 0]), ((-1.9, 0.0), [0, 0])):
         assert yielding(bars, np.array(force)).tolist() == [bool(x) for x in wanted]  # type: ignore[arg-type]

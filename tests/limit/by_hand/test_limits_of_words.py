@@ -55,7 +55,7 @@ def test_a_factor_that_falls_by_half_a_per_cent_behind_its_peak_has_a_word(left,
 
     def fallen(*args) -> Flat:
         flat = solve(*args)
-        return replace(flat, left=left * flat.solution.factor)
+        return replace(flat, end_factor=left * flat.solution.factor)
 
     monkeypatch.setattr(corner_points, "without_dilation", fallen)
     assert said("what slides loses the pressure that held it", dilation=False) == told
