@@ -150,9 +150,9 @@ def _limit_fall(axes: Any, paths: list[FactorLine], led: bool) -> None:
     low, high = float(shown.min()), float(shown.max())
     size = high - low or max(float(np.ptp(path.across)) for path in paths) or 1.0
     ends = [path.across[-1] for path in paths] if falls else [low]
-    left = BEYOND if falls and min(ends) < low else 0.05
+    margin = BEYOND if falls and min(ends) < low else 0.05
     right = BEYOND if falls and max(ends) > high else 0.05
-    axes.set_xlim(low - left * size, high + right * size)
+    axes.set_xlim(low - margin * size, high + right * size)
 
 
 def _energies(result: "ResultData", main: FactorLine) -> dict[str, np.ndarray]:

@@ -30,9 +30,9 @@ def record_figure(title: str, motion: Motion, spectrum: ResponseSpectrum, target
     for name, (values, label) in lines.items():
         axes = panels[name]
         axes.plot(motion.time, values, color=BLUE, linewidth=0.9)
-        most = np.abs(values).argmax()
-        axes.plot(motion.time[most], values[most], "o", color=RED, markersize=4)
-        _label_peak(axes, motion.time, values, int(most))
+        peak = np.abs(values).argmax()
+        axes.plot(motion.time[peak], values[peak], "o", color=RED, markersize=4)
+        _label_peak(axes, motion.time, values, int(peak))
         axes.set_ylabel(label)
     panels["d"].set_xlabel("time [s]")
     _draw_spectrum(panels["s"], spectrum, target)
@@ -42,12 +42,12 @@ def record_figure(title: str, motion: Motion, spectrum: ResponseSpectrum, target
     return figure
 
 
-def _label_peak(axes: Any, time: np.ndarray, values: np.ndarray, most: int) -> None:
+def _label_peak(axes: Any, time: np.ndarray, values: np.ndarray, peak: int) -> None:
     """The largest value beside its dot, to the side where the picture has room."""
-    late = time[most] > 0.7 * time[-1]
+    late = time[peak] > 0.7 * time[-1]
     axes.annotate(
-        f"{values[most]:.3g}",
-        (time[most], values[most]),
+        f"{values[peak]:.3g}",
+        (time[peak], values[peak]),
         xytext=(-5 if late else 5, 0),
         textcoords="offset points",
         ha="right" if late else "left",

@@ -102,8 +102,8 @@ def time_figure(result: "ResultData") -> Any:
         tidy(axes)
     for axes, unit in zip(panels, units, strict=True):
         label, factor = SHOWN[unit]
-        own = [line for line in lines if line.unit == unit]
-        for line, colour in zip(own, len(own) * COLOURS, strict=False):
+        panel_lines = [line for line in lines if line.unit == unit]
+        for line, colour in zip(panel_lines, len(panel_lines) * COLOURS, strict=False):
             time = since(result, line.steps)
             shown = time <= until
             axes.plot(time[shown], factor * line.values[shown], color=colour, linewidth=1.2, label=plain(line.name))

@@ -56,8 +56,8 @@ class Motion:
         """m/s, the largest in size: at a sample, or where the acceleration passes through 0 between two."""
         first, last = self.acceleration[:-1], self.acceleration[1:]
         crossing = first * last < 0.0
-        share = first[crossing] / (first - last)[crossing]
-        between = self.time[:-1][crossing] + share * np.diff(self.time)[crossing]
+        fraction = first[crossing] / (first - last)[crossing]
+        between = self.time[:-1][crossing] + fraction * np.diff(self.time)[crossing]
         return float(np.abs(np.concatenate([self.velocity, self.velocity_at(between)])).max())
 
     @property
@@ -115,9 +115,9 @@ class Motion:
 
     def with_linear_baseline(self) -> "Motion":
         """Less the acceleration c + d t that takes it back to rest where it began: no residual is left."""
-        end, left, away = self.duration, self.residual_velocity, self.residual_displacement
-        d = (6.0 * left * end - 12.0 * away) / end**3
-        c = left / end - 0.5 * d * end
+        end, velocity, away = self.duration, self.residual_velocity, self.residual_displacement
+        d = (6.0 * velocity * end - 12.0 * away) / end**3
+        c = velocity / end - 0.5 * d * end
         t = self.time
         return Motion(
             t,
@@ -173,9 +173,9 @@ def from_velocity(time: np.ndarray, velocity: np.ndarray, line: bool = False) ->
 
 def _at_end(values: np.ndarray, weights: tuple[tuple[float, ...], ...]) -> float:
     """A derivative at the first of a few samples, per sample, by as many weights as there are samples; 0 of two."""
-    own = weights[min(len(values), 4) - 2]
+    row = weights[min(len(values), 4) - 2]
     with np.errstate(over="ignore", invalid="ignore"):
-        return float(sum(weight * (one - values[0]) for weight, one in zip(own, values[1:], strict=False)))
+        return float(sum(weight * (value - values[0]) for weight, value in zip(row, values[1:], strict=False)))
 
 
 def from_displacement(time: np.ndarray, displacement: np.ndarray, line: bool = False, slowly: bool = False) -> Motion:
@@ -235,12 +235,12 @@ def from_formula(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration
     odd = duration * _golden(FEW)
     anywhere = duration * _golden(LOOKS)
     values = at(anywhere)
-    most = float(np.abs(values).max())
+    peak = float(np.abs(values).max())
     pieces, before = 2 * FIRST_PIECES, None
     while pieces <= MOST_OF_SPLINES:
         time = np.linspace(0.0, duration, pieces + 1)
         samples = at(time)
-        if np.abs(samples).max() >= 0.5 * most:  # else a period fits the samples
+        if np.abs(samples).max() >= 0.5 * peak:  # else a period fits the samples
             motion = MADE_OF[quantity](time, samples)
             now = motion.acceleration_at(look), motion.acceleration_at(odd)
             if before is not None:
@@ -248,7 +248,7 @@ def from_formula(quantity: str, at: Callable[[np.ndarray], np.ndarray], duration
                 settled = SETTLED * motion.peak_acceleration
                 if changed[0] <= settled and changed[1] <= MISSED * settled:
                     made = motion.velocity_at if quantity == "velocity" else motion.displacement_at
-                    if np.abs(made(anywhere) + samples[0] - values).max() <= FOLLOWED * most:
+                    if np.abs(made(anywhere) + samples[0] - values).max() <= FOLLOWED * peak:
                         return motion
             before = now
         pieces *= 2
@@ -263,10 +263,10 @@ def _finite(at: Callable[[np.ndarray], np.ndarray]) -> Callable[[np.ndarray], np
 
     def values(time: np.ndarray) -> np.ndarray:
         with np.errstate(all="ignore"):
-            own = at(time)
-        if not np.isfinite(own).all():
-            raise ValueError(f"the expression has no finite value at t = {time[np.argmin(np.isfinite(own))]:.6g} s")
-        return own
+            result = at(time)
+        if not np.isfinite(result).all():
+            raise ValueError(f"the expression has no finite value at t = {time[np.argmin(np.isfinite(result))]:.6g} s")
+        return result
 
     return values
 
@@ -280,21 +280,21 @@ def _bent_times(at: Callable[[np.ndarray], np.ndarray], duration: float) -> np.n
     """Times between which a formula is straight, each piece halved until it is. Raises ValueError where they are too
     many."""
     time = np.linspace(0.0, duration, FIRST_PIECES + 1)
-    most = float(np.abs(at(np.linspace(0.0, duration, 4 * FIRST_PIECES * FIRST_PIECES + 1))).max())
+    peak = float(np.abs(at(np.linspace(0.0, duration, 4 * FIRST_PIECES * FIRST_PIECES + 1))).max())
     anywhere = duration * np.sort(_golden(LOOKS))
     values = at(anywhere)
-    if np.abs(values).max() > 1.001 * most:
-        most = float(np.abs(values).max())
+    if np.abs(values).max() > 1.001 * peak:
+        peak = float(np.abs(values).max())
     shortest = 1.01 * duration / FIRST_PIECES / 2**MOST_HALVINGS
     while True:
         value, step = at(time), np.diff(time)
         bent = np.zeros(len(step), dtype=bool)
-        for share in (0.25, 0.5, 0.75):
-            line = (1.0 - share) * value[:-1] + share * value[1:]
-            bent |= np.abs(at(time[:-1] + share * step) - line) > STRAIGHT * most
+        for fraction in (0.25, 0.5, 0.75):
+            line = (1.0 - fraction) * value[:-1] + fraction * value[1:]
+            bent |= np.abs(at(time[:-1] + fraction * step) - line) > STRAIGHT * peak
         bent &= step > shortest
         if not bent.any():
-            missed = np.abs(np.interp(anywhere, time, value) - values) > MISSED * STRAIGHT * most
+            missed = np.abs(np.interp(anywhere, time, value) - values) > MISSED * STRAIGHT * peak
             bent[np.searchsorted(time, anywhere[missed]) - 1] = True
             bent &= step > shortest
         if not bent.any():
@@ -315,9 +315,9 @@ def _require_rest(quantity: str, at: Callable[[np.ndarray], np.ndarray], duratio
     times = np.array([0.0, tiny, duration - tiny, duration])
     place = at(times)
     over = (1.0 - 1e-6) * duration * _golden(FEW)
-    most = float(np.abs(at(over + tiny) - at(over)).max()) / tiny
+    peak_speed = float(np.abs(at(over + tiny) - at(over)).max()) / tiny
     for name, speed in (("starts", (place[1] - place[0]) / tiny), ("ends", (place[3] - place[2]) / tiny)):
-        if abs(speed) > 1e-2 * most:
+        if abs(speed) > 1e-2 * peak_speed:
             raise ValueError(
                 f"the displacement {name} with {speed:.3g} m/s, and the ground is at rest before and after; let it "
                 f"rise and fall smoothly, or give its velocity or acceleration"
@@ -327,9 +327,9 @@ def _require_rest(quantity: str, at: Callable[[np.ndarray], np.ndarray], duratio
 def _from_rest(time: np.ndarray, values: np.ndarray, line: bool, what: str, unit: str) -> np.ndarray:
     """Values that begin and end at 0."""
     values = values - np.interp(time, time[[0, -1]], values[[0, -1]]) if line else values.copy()
-    most = float(np.abs(values).max())
+    peak = float(np.abs(values).max())
     for k, name in ((0, "begins"), (-1, "ends")):
-        if abs(values[k]) > AT_REST * most:
+        if abs(values[k]) > AT_REST * peak:
             raise ValueError(
                 f"the {what} {name} with {values[k]:.3g} {unit}, and the ground is at rest before and after; give a "
                 f"record from rest to rest, or baseline = 'linear'"

@@ -121,10 +121,10 @@ def _made(recipe: Recipe, time: np.ndarray, envelope: np.ndarray, draws: np.rand
 
 def _envelope(recipe: Recipe, time: np.ndarray) -> np.ndarray:
     """The square of time, then 1, then an exponential to END, and the square root of nothing at the end (Jennings)."""
-    left = recipe.duration - recipe.rise - recipe.strong
-    after = np.maximum(0.0, time - recipe.rise - recipe.strong) / left
+    remaining = recipe.duration - recipe.rise - recipe.strong
+    after = np.maximum(0.0, time - recipe.rise - recipe.strong) / remaining
     growing = np.clip(time / recipe.rise, 0.0, 1.0) ** 2 if recipe.rise > 0.0 else np.ones_like(time)
-    last = min(1.0, 0.5 * left)
+    last = min(1.0, 0.5 * remaining)
     ending = np.clip((recipe.duration - time) / last, 0.0, 1.0)
     envelope: np.ndarray = growing * END**after * np.sin(0.5 * np.pi * ending) ** 2
     envelope[0] = envelope[-1] = 0.0

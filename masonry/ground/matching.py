@@ -30,14 +30,14 @@ def match(
     periods, target               (n,) s, pseudo-accelerations in m/s^2
     """
     rates = 2.0 * np.pi / periods
-    best, least = acceleration, np.inf
+    best, minimum = acceleration, np.inf
     for _ in range(ROUNDS):
         times, displacement = peaks(time, acceleration, periods, damping)
         response = rates**2 * np.abs(displacement)
-        off = float(np.abs(response / target - 1.0).max())
-        if off < least:
-            best, least = acceleration, off
-        if off < enough:
+        error = float(np.abs(response / target - 1.0).max())
+        if error < minimum:
+            best, minimum = acceleration, error
+        if error < enough:
             break
         signs = np.sign(displacement)
         wavelets = _wavelets(time, times, rates, damping, envelope) * signs

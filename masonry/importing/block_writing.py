@@ -71,8 +71,8 @@ def specimen_of_bodies(
     sound = mended.blocks
     require_sound(sound)
     _require_own_names(sound, named)
-    left = mended.deepest
-    return Specimen(sound, sets_of(sound, named), section_of(sound, None), "file", overlap=left)
+    overlap = mended.deepest
+    return Specimen(sound, sets_of(sound, named), section_of(sound, None), "file", overlap=overlap)
 
 
 def _require_own_names(blocks: Blocks, names: Sequence[str]) -> None:
@@ -121,9 +121,9 @@ def _mended(build: Callable[[float], Blocks], wishes: ImportSettings, names: Seq
 
     def attempt(wishes: ImportSettings) -> Mended:
         refused: GeometryError | None = None
-        for share in FLAT:
+        for fraction in FLAT:
             try:
-                return mend(build(share * wishes.tolerance), wishes.tolerance, names, wishes.open_gaps)
+                return mend(build(fraction * wishes.tolerance), wishes.tolerance, names, wishes.open_gaps)
             except GeometryError as error:
                 refused = refused or error
         assert refused is not None

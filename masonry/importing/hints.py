@@ -44,10 +44,10 @@ def ways_out(attempt: Callable[[Any], Any], wishes: Any, error: GeometryError, b
             return said
         return None
 
-    ways, most = [], SUSPICIOUS * wishes.tolerance
+    ways, maximum = [], SUSPICIOUS * wishes.tolerance
     tolerance, wider = 0.0, needed
     for _ in range(ROUNDS):
-        if not tolerance < wider <= most:
+        if not tolerance < wider <= maximum:
             break
         tolerance = wider
         said = refused(tolerance=tolerance)
@@ -59,7 +59,7 @@ def ways_out(attempt: Callable[[Any], Any], wishes: Any, error: GeometryError, b
         ways.append("--open-gaps leaves gaps as they are")
     gap = max(NARROWEST, needed)
     for overlap in (wishes.tolerance, needed) if bridging and wishes.gap is None else ():
-        if overlap <= most and refused(gap=gap, tolerance=overlap) is None:
+        if overlap <= maximum and refused(gap=gap, tolerance=overlap) is None:
             and_more = f" --tolerance {overlap * 1e3:.3g}mm" if overlap > wishes.tolerance else ""
             return [*ways, f"--gap '{gap * 1e3:.3g} mm'{and_more} lays joints between the blocks as they are"]
     return ways

@@ -227,8 +227,8 @@ def _mended_surfaces(read: Reading, wishes: ImportSettings) -> tuple[Imported, t
     """
     refused: GeometryError | None = None
     before: np.ndarray | None = None
-    for share in FLAT:
-        solids, names = read(wishes, share * wishes.tolerance)
+    for fraction in FLAT:
+        solids, names = read(wishes, fraction * wishes.tolerance)
         if before is not None and np.array_equal(before, solids.blocks.points):
             continue  # these were refused
         before = solids.blocks.points
@@ -282,22 +282,22 @@ def _readable(name: str) -> str:
 
 def grouped(solids: Imported, names: Sequence[str], rules: Sequence[tuple[str, str]]) -> Imported:
     """The blocks in the groups of the first rule that fits their name or colour ("#c04020"); else in the file's own."""
-    blocks, own = solids.blocks, [solids.blocks.groups[g] for g in solids.blocks.group]
+    blocks, group_of = solids.blocks, [solids.blocks.groups[g] for g in solids.blocks.group]
     painted = [""] * blocks.count if solids.colours is None else [_hex(colour) for colour in solids.colours]
     used = set()
     for b, (name, colour) in enumerate(zip(names, painted, strict=True)):
-        for pattern, wanted in reversed(rules):
+        for pattern, group in reversed(rules):
             if fnmatchcase(name, pattern) or (colour and fnmatchcase(colour, pattern.lower())):
-                own[b] = wanted
+                group_of[b] = group
                 used.add(pattern)
-    for pattern, wanted in rules:
+    for pattern, group in rules:
         if pattern not in used:
             known = sorted({*names, *filter(None, painted)})[:20]
             raise SceneError(
-                f"--group '{pattern}={wanted}': no solid has such a name or colour; {nearest(pattern, known)}"
+                f"--group '{pattern}={group}': no solid has such a name or colour; {nearest(pattern, known)}"
             )
-    groups = tuple(dict.fromkeys(own))
-    number = np.array([groups.index(name) for name in own], dtype=np.int64)
+    groups = tuple(dict.fromkeys(group_of))
+    number = np.array([groups.index(name) for name in group_of], dtype=np.int64)
     return replace(solids, blocks=replace(blocks, group=number, groups=groups))
 
 

@@ -54,7 +54,7 @@ def report_text(report: ImportReport) -> list[tuple[str, list[str]]]:
     span = " x ".join(f"{side * 1e3:.6g}" for side in high.max(axis=0) - low.min(axis=0))
     joints = len(report.joints.patch_start) - 1
     ends = zip("xyz", low.min(axis=0) * 1e3, high.max(axis=0) * 1e3, strict=True)
-    where = ", ".join(f"{axis} {least:.6g} to {most:.6g}" for axis, least, most in ends)
+    where = ", ".join(f"{axis} {low:.6g} to {high:.6g}" for axis, low, high in ends)
     table = [
         ("groups", rows),
         ("size", [f"{span} mm ({where})"]),
@@ -83,19 +83,19 @@ def _alone(report: ImportReport) -> list[str]:
 
 def _bridged(joints: JointPolygons) -> list[str]:
     """How far the blocks are apart in joints that were laid over gaps."""
-    least, most = joints.gap.T
+    low, high = joints.gap.T
     middle = joints.gap.mean(axis=1)
     near = 1e-6
-    open_, deep = most > near, least < -near
-    meet = len(most) - int(np.sum(open_ | deep))
+    open_, deep = high > near, low < -near
+    meet = len(high) - int(np.sum(open_ | deep))
     lines = [f"in {meet} joints blocks meet within {near * 1e3:g} mm"]
     if open_.any():
         lines.append(
-            f"in {open_.sum()} they are up to {most.max() * 1e3:.3g} mm apart, {middle[open_].mean() * 1e3:.3g} mm on "
+            f"in {open_.sum()} they are up to {high.max() * 1e3:.3g} mm apart, {middle[open_].mean() * 1e3:.3g} mm on "
             "average"
         )
     if deep.any():
-        lines.append(f"in {deep.sum()} they overlap, by up to {-least.min() * 1e3:.3g} mm")
+        lines.append(f"in {deep.sum()} they overlap, by up to {-low.min() * 1e3:.3g} mm")
     return [*lines, "the joints lie half way; the blocks stay as they are"]
 
 

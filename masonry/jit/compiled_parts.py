@@ -61,12 +61,12 @@ class Call:
     @property
     def nested(self) -> list["Call"]:
         """The calls that it makes, each after those that it makes itself."""
-        calls = [one for one in self.arguments if isinstance(one, Call)]
-        return [inner for one in calls for inner in (*one.nested, one)]
+        calls = [call for call in self.arguments if isinstance(call, Call)]
+        return [inner for call in calls for inner in (*call.nested, call)]
 
     @cached_property
     def kind(self) -> RecordKind:
-        return kind_of(*((0, 0) if isinstance(one, Call) else one for one in self.arguments))
+        return kind_of(*((0, 0) if isinstance(argument, Call) else argument for argument in self.arguments))
 
     @property
     def is_compiled(self) -> bool:
@@ -76,14 +76,14 @@ class Call:
     @cached_property
     def addresses(self) -> tuple[int, int]:
         """Of the machine code and of the record; compiles what is not compiled yet."""
-        values = (one.addresses if isinstance(one, Call) else one for one in self.arguments)
+        values = (argument.addresses if isinstance(argument, Call) else argument for argument in self.arguments)
         self.record = ArgumentRecord(self.kind, tuple(values))
         return self.part.address(self.kind), self.record.address
 
     def replace(self, old: Any, new: Any) -> None:
         """Another value of the same kind in place of an argument, where it is one; the addresses stay."""
-        for k, one in enumerate(self.arguments):
-            if one is old:
+        for k, argument in enumerate(self.arguments):
+            if argument is old:
                 self.arguments = (*self.arguments[:k], new, *self.arguments[k + 1 :])
                 self.record.put(k, new)
 
@@ -102,7 +102,7 @@ class RepeatedCall:
     def of(self, *arguments: Any) -> Call:
         """The call with these arguments."""
         before = self.made.arguments
-        if len(before) != len(arguments) or any(one is not new for one, new in zip(before, arguments, strict=True)):
+        if len(before) != len(arguments) or any(old is not new for old, new in zip(before, arguments, strict=True)):
             self.made = self.part.of(*arguments)
         return self.made
 
@@ -142,5 +142,5 @@ class StepCalls:
 
     def addresses(self) -> np.ndarray:
         """(K, 2); compiles what is not compiled yet."""
-        compile_all([(one.part, one.kind) for one in self.all_calls])
+        compile_all([(call.part, call.kind) for call in self.all_calls])
         return np.array([call.addresses for call in self.calls], dtype=np.int64).reshape(-1, 2)

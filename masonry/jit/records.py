@@ -42,7 +42,7 @@ def _with_strides(kind: Any, value: Any) -> Any:
     """The same type, but of rows with room behind their numbers also where there is one row alone: numpy takes it for
     one piece, and one block would have other parts than many."""
     if isinstance(kind, types.BaseTuple):  # type: ignore[attr-defined]
-        inner = [_with_strides(one, part) for one, part in zip(kind, value, strict=True)]
+        inner = [_with_strides(member, part) for member, part in zip(kind, value, strict=True)]
         return types.BaseTuple.from_types(inner, getattr(kind, "instance_class", None))  # type: ignore[attr-defined]
     rows = isinstance(kind, types.Array) and kind.layout == "C" and value.ndim > 1
     apart = rows and value.strides[0] != value.itemsize * int(np.prod(value.shape[1:]))
@@ -119,8 +119,8 @@ class _Words:
         if isinstance(kind, types.Float):
             return builder.bitcast(self.word(), ir.DoubleType())
         if isinstance(kind, (types.Integer, types.Boolean)):
-            value, wanted = self.word(), context.get_value_type(kind)
-            return value if wanted == WORD else builder.trunc(value, wanted)
+            value, word_type = self.word(), context.get_value_type(kind)
+            return value if word_type == WORD else builder.trunc(value, word_type)
         return context.get_dummy_value()
 
 
@@ -130,10 +130,10 @@ def call(context, function, record):
     sig = types.void(types.intp, types.intp)
 
     def generate(context, builder, sig, args):
-        convention, own = context.call_conv, (types.intp,)
-        pointer = convention.get_function_type(types.none, own).as_pointer()
+        convention, signature = context.call_conv, (types.intp,)
+        pointer = convention.get_function_type(types.none, signature).as_pointer()
         function = builder.inttoptr(args[0], pointer)
-        status, _ = convention.call_function(builder, function, types.none, own, [args[1]])
+        status, _ = convention.call_function(builder, function, types.none, signature, [args[1]])
         with cgutils.if_unlikely(builder, status.is_error):
             convention.return_status_propagate(builder, status)
         return context.get_dummy_value()

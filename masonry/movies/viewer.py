@@ -49,9 +49,9 @@ def show(
     chosen = choose(result, step)
     frames = result.history.frames
     number = next(k for k, frame in enumerate(frames) if frame is chosen.frame)
-    off = screenshot is not None or pyvista.OFF_SCREEN
-    plotter = pyvista.Plotter(off_screen=off, window_size=WINDOW)
-    if not off and not plotter.notebook and not SYSTEM.has_display():
+    off_screen = screenshot is not None or pyvista.OFF_SCREEN
+    plotter = pyvista.Plotter(off_screen=off_screen, window_size=WINDOW)
+    if not off_screen and not plotter.notebook and not SYSTEM.has_display():
         plotter.close()
         raise SceneError("there is no display to show it on; give a file: result.show(screenshot='wall.png')")
     viewer = Viewer(plotter, result, field, everywhere)
@@ -64,7 +64,7 @@ def show(
     elif plotter.notebook:
         plotter.show(jupyter_backend="static")
     else:
-        if len(frames) > 1 and not off:
+        if len(frames) > 1 and not off_screen:
             add_slider(plotter, viewer, number)
         plotter.show()
 

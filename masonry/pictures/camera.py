@@ -59,12 +59,12 @@ def usual_view(result: "ResultData") -> str:
         return "front"
     blocks, moved = result.specimen.blocks, [frame.corners for frame in result.history.frames]
     front = camera_of("front", result.specimen, moved)
-    own = above_floor(blocks)
-    farthest = np.max([np.abs(corners[own]).max(axis=0) for corners in moved], axis=0, initial=0.0)
+    mask = above_floor(blocks)
+    farthest = np.max([np.abs(corners[mask]).max(axis=0) for corners in moved], axis=0, initial=0.0)
     level = farthest * [1.0, 1.0, 0.0]
     along, across = (float(level @ np.abs(direction)) for direction in (front.right, front.toward))
-    least = 0.0 if result.is_shaken or gives_way else FALLS * front.size
-    return "side" if across > max(least, 2.0 * along) else "front"
+    threshold = 0.0 if result.is_shaken or gives_way else FALLS * front.size
+    return "side" if across > max(threshold, 2.0 * along) else "front"
 
 
 def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
@@ -72,9 +72,9 @@ def along_floor(blocks: Blocks, moved: Sequence[np.ndarray] = ()) -> int | None:
     longer one; None without a floor."""
     if FLOOR not in blocks.groups:
         return None
-    own = above_floor(blocks)
-    size = np.ptp(blocks.points[own], axis=0)[:2]
-    extent = np.max([np.abs(corners[own, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
+    mask = above_floor(blocks)
+    size = np.ptp(blocks.points[mask], axis=0)[:2]
+    extent = np.max([np.abs(corners[mask, :2]).max(axis=0) for corners in moved], axis=0, initial=0.0)
     x, y = extent if extent.max() > 0.1 * size.min() else size
     return 0 if x >= y else 1
 
@@ -90,8 +90,8 @@ def above_floor(blocks: Blocks) -> np.ndarray:
 def with_less_floor(blocks: Blocks) -> Blocks:
     """The same for a picture: of a floor no more than half the size of what stands on it is left on each side, and a
     tenth of it below."""
-    own = above_floor(blocks)
-    low, high = blocks.points[own].min(axis=0), blocks.points[own].max(axis=0)
+    mask = above_floor(blocks)
+    low, high = blocks.points[mask].min(axis=0), blocks.points[mask].max(axis=0)
     room = float(np.max(high - low)) * np.array([0.5, 0.5, 0.1])
     return replace(blocks, points=np.clip(blocks.points, low - room, high + room))
 
@@ -99,11 +99,11 @@ def with_less_floor(blocks: Blocks) -> Blocks:
 def box_of(camera: Camera, blocks: Blocks, moved: Sequence[np.ndarray], times: float = 1.0) -> np.ndarray:
     """Lowest and highest place (2, 2) that a corner above the floor comes to, with some room round them; corners move
     by (P, 3) m each, drawn `times` larger. Those that are OUT count where they began."""
-    own = above_floor(blocks)
-    moves = [times * corners[own] for corners in moved]
+    mask = above_floor(blocks)
+    moves = [times * corners[mask] for corners in moved]
     stays = [np.linalg.norm(move, axis=1, keepdims=True) <= OUT * camera.size for move in moves]
     flat = [
-        camera.project(blocks.points[own] + np.where(stay, move, 0.0)) for stay, move in zip(stays, moves, strict=True)
+        camera.project(blocks.points[mask] + np.where(stay, move, 0.0)) for stay, move in zip(stays, moves, strict=True)
     ]
     low, high = np.min(flat, axis=(0, 1)), np.max(flat, axis=(0, 1))
     room = 0.03 * float(np.max(high - low))

@@ -121,15 +121,15 @@ def gallery(
         return figure
     cracks: list[Any] = [drawing.cracks(frame) for drawing, (_, _, frame) in zip(shown, panels, strict=True)]
     scale = scale_of(np.concatenate([lines.opening for lines in cracks]))
-    for one, (name, result, frame), drawing, lines in zip(axes, panels, shown, cracks, strict=False):
+    for panel_axes, (name, result, frame), drawing, lines in zip(axes, panels, shown, cracks, strict=False):
         larger = magnification(frame, drawing.camera.size) if times is None else times
-        drawing.draw(one, frame, lines, larger, scale)
-        frame_axes(one, _box(drawing))
+        drawing.draw(panel_axes, frame, lines, larger, scale)
+        frame_axes(panel_axes, _box(drawing))
         if result.is_large:
-            draw_scale_bar(one)
+            draw_scale_bar(panel_axes)
         title = panel_title(result, name, frame, larger, narrow=columns > 1)
         title += "" if len(lines.opening) else f"{', ' if columns == 1 else NEXT_LINE}no crack of {NARROW * MILLI:g} mm"
-        one.set_title(title, fontsize=10)
+        panel_axes.set_title(title, fontsize=10)
     thrusts = [
         line for drawing, (_, _, frame) in zip(shown, panels, strict=True) for line in thrusts_of(drawing, [frame])
     ]
@@ -143,8 +143,8 @@ def frame_axes(axes: Any, box: np.ndarray | None = None) -> None:
     axes.autoscale_view()
     axes.margins(0.03)
     if box is not None:
-        (left, bottom), (right, top) = box
-        axes.set(xlim=(left, right), ylim=(bottom, top))
+        (x_min, y_min), (x_max, y_max) = box
+        axes.set(xlim=(x_min, x_max), ylim=(y_min, y_max))
     axes.set_axis_off()
 
 
@@ -181,9 +181,9 @@ def panel_title(result: "ResultData", name: str, frame: Frame, times: float, nar
     if len(rows.get("stress", ())):
         stress = without_noise(float(np.interp(frame.step, rows["step"], rows["stress"])), rows["stress"])
         words += f", stress {stress * MEGA:.3g} MPa"
-        share = "" if narrow else f"{100 * travelled_fraction(rows, frame):.3g} % of the way, "
-        share = share if not result.in_real_time else "" if when in name else f"{when}, "
-        words += f"\n{share}"
+        progress = "" if narrow else f"{100 * travelled_fraction(rows, frame):.3g} % of the way, "
+        progress = progress if not result.in_real_time else "" if when in name else f"{when}, "
+        words += f"\n{progress}"
     else:
         words += "\n"
     return f"{words}{_drawn(times)}"

@@ -46,10 +46,10 @@ def visible_pieces(blocks: Blocks, joints: Joints, camera: Camera) -> list[Piece
         return []
     edge = np.median([np.linalg.norm(np.roll(c, -1, axis=0) - c, axis=1).max() for c in corners])
     ends = np.cumsum(np.diff(blocks.face_start)[seen])[:-1]
-    outer, own = (np.split(of(blocks, seen, normal), ends) for of in (unit_edges, turning_edges))
+    outer, turns = (np.split(of(blocks, seen, normal), ends) for of in (unit_edges, turning_edges))
     pieces = [
         piece
-        for f, c, bounds, turning in zip(seen.tolist(), corners, outer, own, strict=True)
+        for f, c, bounds, turning in zip(seen.tolist(), corners, outer, turns, strict=True)
         for piece in _cut(f, c, bounds & turning, turning, 1.5 * float(edge))
     ]
     size = float(np.ptp(blocks.points, axis=0).max())
@@ -116,12 +116,12 @@ def _farthest_first(pieces: list[Piece], normal: np.ndarray, camera: Camera, wid
         np.minimum.at(below[:, q], owner, height)
     before = (above <= width) | (-width <= below.T)  # p lies behind the plane of q, or q in front of that of p
     before &= ~before.T
-    left = np.bincount(plane, depth) / np.bincount(plane)
+    mean_depth = np.bincount(plane, depth) / np.bincount(plane)
     drawn: list[int] = []
     waiting = before.sum(axis=0).astype(float)
     for _ in range(count):
         ready = waiting == waiting.min()
-        chosen = int(np.argmin(np.where(ready, left, np.inf)))
+        chosen = int(np.argmin(np.where(ready, mean_depth, np.inf)))
         drawn.append(chosen)
         waiting -= before[chosen]
         waiting[chosen] = np.inf
@@ -151,8 +151,8 @@ def _edges(blocks: Blocks, faces: np.ndarray, body: np.ndarray) -> _Edges:
     order = np.argsort(key, kind="stable")
     last = np.flatnonzero(np.append(np.diff(key[order]) != 0, True)) + 1
     end = np.repeat(last, np.diff(last, prepend=0))
-    one, two = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
-    return _Edges(face, np.stack([order[one], order[two]], axis=1))
+    pair_a, pair_b = ranges(np.arange(len(key)) + 1, end - np.arange(len(key)) - 1)
+    return _Edges(face, np.stack([order[pair_a], order[pair_b]], axis=1))
 
 
 def unit_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> np.ndarray:
@@ -180,12 +180,12 @@ def turning_edges(blocks: Blocks, faces: np.ndarray, normal: np.ndarray) -> np.n
     return turns
 
 
-def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, most: float) -> list[Piece]:
-    """A four-sided face in parts with edges no longer than `most` (m); any other face as it is."""
+def _cut(face: int, corners: np.ndarray, outer: np.ndarray, every: np.ndarray, longest: float) -> list[Piece]:
+    """A four-sided face in parts with edges no longer than `longest` (m); any other face as it is."""
     if len(corners) != 4:
         return [Piece(face, corners, outer, every)]
     length = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
-    m, n = (min(int(np.ceil(length[[k, k + 2]].max() / most)), PIECES) for k in (0, 1))
+    m, n = (min(int(np.ceil(length[[k, k + 2]].max() / longest)), PIECES) for k in (0, 1))
     parts = []
     for i in range(m):
         for j in range(n):

@@ -46,10 +46,10 @@ def place_labels(figure: Any, axes: Any, labels: list[PointLabel]) -> None:
         text.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0})
         text.set_in_layout(False)
         tries = [(distance, *side) for distance in DISTANCES for side in SIDES]
-        least = min(range(len(tries)), key=lambda k: (_in_the_way(text, tries[k], axes, lines, boxes, renderer), k))
-        _move(text, tries[least])
+        best = min(range(len(tries)), key=lambda k: (_in_the_way(text, tries[k], axes, lines, boxes, renderer), k))
+        _move(text, tries[best])
         boxes.append(text.get_window_extent(renderer))
-        if tries[least][0] > DISTANCES[0]:
+        if tries[best][0] > DISTANCES[0]:
             axes.annotate(
                 "", label.place, xytext=text.xyann, textcoords="offset points",
                 arrowprops={"arrowstyle": "-", "color": "0.6", "linewidth": 0.8, "shrinkA": 0.0, "shrinkB": 2.0},

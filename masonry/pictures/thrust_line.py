@@ -44,8 +44,8 @@ class ThrustLine:
         along = np.add.reduceat(normal, self.joints.start[:-1])
         moment = np.add.reduceat(normal[:, None] * result.joints.point[contact], self.joints.start[:-1], axis=0)
         place = np.full((len(along), 3), np.nan)
-        least = 0.0 if self.in_a_row else LEAST * np.abs(along).max(initial=0.0)
-        presses = along < -least
+        threshold = 0.0 if self.in_a_row else LEAST * np.abs(along).max(initial=0.0)
+        presses = along < -threshold
         place[presses] = moment[presses] / along[presses, None]
         return along[self.order], place[self.order]
 
@@ -97,9 +97,9 @@ def row_of(units: np.ndarray) -> np.ndarray | None:
     if len(names) != len(units) + 1:
         return None
     order, here = [], int(names[members == 1][0])
-    left = dict(enumerate(units.tolist()))
-    while (joint := next((j for j, pair in left.items() if here in pair), None)) is not None:
-        a, b = left.pop(joint)
+    remaining = dict(enumerate(units.tolist()))
+    while (joint := next((j for j, pair in remaining.items() if here in pair), None)) is not None:
+        a, b = remaining.pop(joint)
         order.append(joint)
         here = b if here == a else a
-    return np.array(order) if not left else None
+    return np.array(order) if not remaining else None

@@ -62,7 +62,7 @@ def report_page(result: Result) -> ReportPage:
         f"{', '.join(filter(None, (f'masonry-dem {summary.version or __version__}', summary.source_hash)))}",
         verdict=result.verdict,
         trust=result.trust,
-        pictures=[picture for one in PICTURES if (picture := one.of(result)) is not None],
+        pictures=[picture for kind in PICTURES if (picture := kind.of(result)) is not None],
         results=[
             (word, [f"of {load}", *lines] if load and word == "load factor" else lines)
             for word, lines in summary_rows(summary)

@@ -37,9 +37,9 @@ def crushed(frame: Frame) -> np.ndarray:
     """
     if frame.crushing is None:
         return np.zeros(len(frame.opening), dtype=bool)
-    least = max(FRACTION * float(frame.crushing.max(initial=0.0)), LEAST)
+    threshold = max(FRACTION * float(frame.crushing.max(initial=0.0)), LEAST)
     sound = frame.damage <= LEAST_DAMAGE
-    return np.asarray((frame.crushing > least) & (sound | (frame.crushing > frame.parted)))
+    return np.asarray((frame.crushing > threshold) & (sound | (frame.crushing > frame.parted)))
 
 
 def as_it_stands(result: "ResultData", frame: Frame) -> Frame:
@@ -85,9 +85,9 @@ def _moved(result: "ResultData", frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     with np.errstate(invalid="ignore"):  # a frictionless glue has no shear stiffness and no shear stress
         slid_for_good = frame.slip - np.abs(frame.shear_stress) / shear
     largest = float(frame.parted.max(initial=0.0))
-    least = max(FRACTION * largest, LEAST)
+    threshold = max(FRACTION * largest, LEAST)
     with np.errstate(invalid="ignore"):
-        return open_for_good > least, slid_for_good > least
+        return open_for_good > threshold, slid_for_good > threshold
 
 
 def _stiffness(result: "ResultData", key: str) -> np.ndarray:

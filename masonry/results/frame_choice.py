@@ -56,11 +56,11 @@ def choose(result: "ResultData", step: str | int | float = "peak") -> Chosen:
         return _at_peak(result)
     if step == "lowest":
         return _at_lowest(result)
-    wanted, of_frames, exact = _measure(step, result)
-    chosen = int(np.argmin(np.abs(of_frames - wanted)))
+    requested, of_frames, exact = _measure(step, result)
+    chosen = int(np.argmin(np.abs(of_frames - requested)))
     frame = frames[chosen]
     name = moment(result, frame) if result.in_real_time else f"at step {frame.step}"
-    if abs(of_frames[chosen] - wanted) <= exact:
+    if abs(of_frames[chosen] - requested) <= exact:
         return Chosen(frame, name)
     moved = np.array([frame.displacement for frame in frames])
     words = [f"step {frame.step}", *([moment(result, frame)] if result.in_real_time else [])]

@@ -129,11 +129,11 @@ def _columns(faces: JointFaces, between: UnitJoints, forces: np.ndarray) -> dict
     return scalars | {f"{name}_{axis}": v[:, k] for name, v in vectors.items() for k, axis in enumerate("xyz")}
 
 
-def _eccentricity(faces: JointFaces, off: np.ndarray) -> np.ndarray:
+def _eccentricity(faces: JointFaces, offset: np.ndarray) -> np.ndarray:
     """(J,) how far a place lies off the middle of its joint (J, 3) m, over how far the joint reaches there."""
-    far = np.linalg.norm(off, axis=1)
+    far = np.linalg.norm(offset, axis=1)
     size = np.maximum.reduceat(np.abs(faces.corner).max(axis=1), faces.first_corner)
-    along = np.einsum("ci,ci->c", faces.corner, off[faces.of_corner])
+    along = np.einsum("ci,ci->c", faces.corner, offset[faces.of_corner])
     reach = np.maximum.reduceat(along, faces.first_corner)
     centred = far <= LEAST * size
     return np.where(centred, 0.0, far * far / np.where(centred, 1.0, reach))

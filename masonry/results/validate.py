@@ -88,12 +88,12 @@ def _require_frame(frame: Frame, shapes: dict[str, tuple[int, ...]]) -> None:
 
 
 def _require(
-    name: str, values: np.ndarray, shape: tuple[int | None, ...], kinds: str, end: int | None = None, least: int = 0
+    name: str, values: np.ndarray, shape: tuple[int | None, ...], kinds: str, end: int | None = None, minimum: int = 0
 ) -> None:
-    """Of this shape and these kinds of numbers, finite; whole numbers from `least` to below `end`, where given."""
+    """Of this shape and these kinds of numbers, finite; whole numbers from `minimum` to below `end`, where given."""
     if np.shape(values) != shape or values.dtype.kind not in kinds:
         raise ValueError(f"{name} has the shape {np.shape(values)} of {values.dtype}, it must be {shape} of numbers")
     if not np.all(np.abs(np.asarray(values, dtype=float)) <= MOST):
         raise ValueError(f"{name} holds numbers that are not finite, or too large")
-    if end is not None and values.dtype.kind == "i" and np.any((values < least) | (values >= end)):
-        raise ValueError(f"{name} holds numbers that are not from {least} to {end - 1}")
+    if end is not None and values.dtype.kind == "i" and np.any((values < minimum) | (values >= end)):
+        raise ValueError(f"{name} holds numbers that are not from {minimum} to {end - 1}")

@@ -75,9 +75,9 @@ def write(
             series = [_Series(*place, len(frames)) for place in places]
             together = 1
             while (done := series[0].done) < len(frames):
-                for one in series:  # points and cells of a frame one after the other: they have much in common
-                    one.write(frames[done : done + together])
-                together = max(1, AT_ONCE // max(one.numbers for one in series))
+                for entry in series:  # points and cells of a frame one after the other: they have much in common
+                    entry.write(frames[done : done + together])
+                together = max(1, AT_ONCE // max(entry.numbers for entry in series))
 
 
 def _steps(root: Any, frames: Sequence[Frame], still: Data) -> tuple[Any, Any]:
@@ -115,7 +115,7 @@ class _Series:
             self._make(batch[0])
         for name, data in self.sets.items():
             size = len(batch[0][name])
-            values = np.concatenate([one[name] for one in batch], dtype=np.float32, casting="same_kind")
+            values = np.concatenate([frame[name] for frame in batch], dtype=np.float32, casting="same_kind")
             data[self.done * size : self.done * size + len(values)] = values
         self.done += len(frames)
 

@@ -109,14 +109,14 @@ def claimed(scene: str, out: Path | None = None, *, overwrite: bool = False) -> 
 
 def sweep_up(folder: Path) -> None:
     """Remove what a killed process left unfinished in a folder; for who holds its lock."""
-    for left in folder.glob(".masonry-*"):
-        if not is_unfinished(left.name):
+    for entry in folder.glob(".masonry-*"):
+        if not is_unfinished(entry.name):
             continue
-        if left.is_dir() and not left.is_symlink():
-            shutil.rmtree(left, ignore_errors=True)
+        if entry.is_dir() and not entry.is_symlink():
+            shutil.rmtree(entry, ignore_errors=True)
         else:
             with contextlib.suppress(OSError):
-                left.unlink()
+                entry.unlink()
 
 
 def _next_free(results: Path, name: str) -> Path:

@@ -29,8 +29,8 @@ class Effort(NamedTuple):
     most; infinite where nobody knows."""
 
     done: float
-    least: float
-    most: float
+    minimum: float
+    maximum: float
 
 
 class TimeLeft:
@@ -43,39 +43,39 @@ class TimeLeft:
     def look(self, effort: Effort, now: float) -> None:
         """So much is done by now (s). A look in a hundredth of the way is enough; where nobody knows how much is left,
         the pace is another one as well."""
-        if effort.most == inf:
+        if effort.maximum == inf:
             return
         if not self.looks or effort.done - self.looks[-1][0] >= 0.01 * (effort.done - self.looks[0][0]):
             self.looks.append((effort.done, now))
 
     def bounds(self, effort: Effort, now: float) -> tuple[float, float] | None:
         """(s) at least and at most; None before there is enough evidence, or where nobody knows."""
-        if not self.looks or effort.most == inf:
+        if not self.looks or effort.maximum == inf:
             return None
         first, begun = self.looks[0]
-        made, passed, left = effort.done - first, now - begun, sqrt(effort.least * effort.most)
-        whole = effort.done + (left or 0.5 * effort.most)
+        made, passed, expected = effort.done - first, now - begun, sqrt(effort.minimum * effort.maximum)
+        whole = effort.done + (expected or 0.5 * effort.maximum)
         if made < EVIDENCE * whole or made <= 0.0 or passed < EVIDENCE_SECONDS:
             return None
         before = [(done, time) for done, time in self.looks if time <= now - LATELY * passed]
         done, time = before[-1]
         slow, fast = sorted([made / passed, max(effort.done - done, 1e-3 * made) / max(now - time, 1e-9)])
         pace = sqrt(slow * fast)
-        return min(effort.least / pace, left / fast), max(effort.most / pace, left / slow)
+        return min(effort.minimum / pace, expected / fast), max(effort.maximum / pace, expected / slow)
 
     def words(self, effort: Effort, now: float) -> str:
         """`12 s left`, `10 s to 1 min 05 s left`, `at most 30 s left`; nothing before there is evidence, or at the
         end."""
         bounds = self.bounds(effort, now)
-        if bounds is None or effort.most <= 0.0:
+        if bounds is None or effort.maximum <= 0.0:
             return ""
-        least, most = bounds
-        if most <= ALIKE * least:
-            return f"{duration(sqrt(least * most))} left"
+        minimum, maximum = bounds
+        if maximum <= ALIKE * minimum:
+            return f"{duration(sqrt(minimum * maximum))} left"
         return (
-            f"at most {duration(most)} left"
-            if least < NOTHING * most
-            else f"{duration(least)} to {duration(most)} left"
+            f"at most {duration(maximum)} left"
+            if minimum < NOTHING * maximum
+            else f"{duration(minimum)} to {duration(maximum)} left"
         )
 
 
@@ -127,18 +127,18 @@ class Progress:
             return
         effort = self.effort or Effort(step, self.total_steps - step, self.total_steps - step)
         self._left.look(effort, now)
-        left = self._left.words(effort, now) if step >= EVIDENCE * self.total_steps > 0 else ""
+        remaining = self._left.words(effort, now) if step >= EVIDENCE * self.total_steps > 0 else ""
         done = bool(self.total_steps) and step >= self.total_steps
         if self._bar is not None:
             if done or now - self._said_at >= BAR_SECONDS:
                 self._said_at = now
                 total = self.total_steps or None
-                self._bar.update(self._task, total=total, completed=step, left=left, note=note, refresh=True)
+                self._bar.update(self._task, total=total, completed=step, left=remaining, note=note, refresh=True)
             return
         due = step - self._said_step >= LINE_FRACTION * self.total_steps > 0 or now - self._said_at >= LINE_SECONDS
         if step > self._said_step and (due or done):
             self._said_at, self._said_step = now, step
-            self._say(self.line(step, left, note))
+            self._say(self.line(step, remaining, note))
 
     def _announce(self, note: str, now: float) -> None:
         """Note on the work before the first part, such as compiling; it does not count in the time left.
@@ -177,10 +177,10 @@ class Progress:
         self.total_steps = total_steps
         self.update(step, note)
 
-    def line(self, step: int, left: str, note: str) -> str:
+    def line(self, step: int, remaining: str, note: str) -> str:
         """One plain line: `couplet  40 %  12 s left  step 20000, stress 0.12 MPa`."""
-        share = f"{100 * step / self.total_steps:.0f} %" if self.total_steps else f"{step} steps"
-        return "  ".join(filter(None, [self.label, share, left, note]))
+        progress = f"{100 * step / self.total_steps:.0f} %" if self.total_steps else f"{step} steps"
+        return "  ".join(filter(None, [self.label, progress, remaining, note]))
 
     def _begin(self) -> None:
         if self._begun:
@@ -242,9 +242,9 @@ class ProgressLines:
         self.count += 1
         if self.tell is None:
             return
-        left = self.total - self.count
+        remaining = self.total - self.count
         passed = time.perf_counter() - self.begun
-        rest = f"about {duration(passed / self.count * left)} left" if left else f"{duration(passed)} in all"
+        rest = f"about {duration(passed / self.count * remaining)} left" if remaining else f"{duration(passed)} in all"
         self.tell(
             f"[{self.count:>{len(str(self.total))}}/{self.total}] {name:<{self.margin}}  {status:<9} "
             f"{duration(seconds):>11}   {rest}"

@@ -100,13 +100,13 @@ def _wrong(value: Any, kind: Any, key: str) -> str:
     kinds = get_args(kind) if isinstance(kind, UnionType) else (kind,)
     if Any in kinds or (value is None and NoneType in kinds):
         return ""
-    kinds = tuple(one for one in kinds if one is not NoneType)
-    for one in kinds:
-        if _is(value, _base(one)):
-            return next(filter(None, (_wrong(*part) for part in _parts(value, one, key))), "")
+    kinds = tuple(option for option in kinds if option is not NoneType)
+    for option in kinds:
+        if _is(value, _base(option)):
+            return next(filter(None, (_wrong(*part) for part in _parts(value, option, key))), "")
     what = visible(json.dumps(value))
     short = what if len(what) <= LONGEST else f"{what[:LONGEST]}..."
-    allowed = " or ".join(WORDS[_base(one)] for one in kinds)
+    allowed = " or ".join(WORDS[_base(option)] for option in kinds)
     return f"{key} is {short}, allowed: {allowed}" if key else f"it is {short}, allowed: {allowed}"
 
 
@@ -126,8 +126,8 @@ def _parts(value: Any, kind: Any, key: str) -> Iterator[tuple[Any, Any, str]]:
     """Elements of a list or a table, each with its type and its key."""
     inner = get_args(kind)
     if isinstance(value, list):
-        yield from ((one, inner[0], f"{key}.{number}") for number, one in enumerate(value))
+        yield from ((element, inner[0], f"{key}.{number}") for number, element in enumerate(value))
     elif isinstance(value, dict):
         hints = {} if inner else get_type_hints(kind)
-        for name, one in value.items():
-            yield one, inner[1] if inner else hints.get(name, Any), f"{key}.{name}".lstrip(".")
+        for name, element in value.items():
+            yield element, inner[1] if inner else hints.get(name, Any), f"{key}.{name}".lstrip(".")

@@ -102,9 +102,9 @@ def _whole(digits: str) -> int:
     return int(digits)
 
 
-def _is_deeper(raw: Any, most: int) -> bool:
+def _is_deeper(raw: Any, depth: int) -> bool:
     level: list[Any] = [raw]
-    for _ in range(most):
+    for _ in range(depth):
         level = [part for value in level for part in (value.values() if isinstance(value, dict) else value)]
         level = [part for part in level if isinstance(part, (dict, list))]
         if not level:

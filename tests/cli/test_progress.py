@@ -91,7 +91,7 @@ def test_where_nobody_knows_how_much_is_left_nothing_is_said_and_the_pace_does_n
 def test_a_run_tells_how_much_work_is_left():
     progress = Progress(stream=io.StringIO())
     laboratory.run(load("couplet", {"drive.accuracy": 0.05}), progress=progress)
-    assert progress.effort.done == pytest.approx(1.0) and progress.effort.most == pytest.approx(0.0)
+    assert progress.effort.done == pytest.approx(1.0) and progress.effort.maximum == pytest.approx(0.0)
 
 
 def test_a_run_of_unknown_length_counts_its_steps_and_may_learn_its_length():

@@ -17,12 +17,12 @@ def factor_of(unit: str, quantity: str, where: str) -> float:
     factor = _factor(unit, quantity)
     if factor is not None:
         return factor
-    wanted = UNITS[quantity]
-    other = next((one for one in UNITS if _factor(unit, one) is not None), None)
+    si_unit = UNITS[quantity]
+    other = next((candidate for candidate in UNITS if _factor(unit, candidate) is not None), None)
     if other is not None:
         says = f"of {_a(other)}, and not of {_a(quantity)}; is quantity = '{other}' meant?"
         raise SceneError(f"{where}: '{visible(unit[:40])}' is the unit {says}")
-    example = "g, m/s^2 or cm/s^2" if quantity == "acceleration" else f"{wanted} or c{wanted}"
+    example = "g, m/s^2 or cm/s^2" if quantity == "acceleration" else f"{si_unit} or c{si_unit}"
     raise SceneError(f"{where}: '{visible(unit[:40])}' is no unit of {_a(quantity)}; give {example}")
 
 
@@ -40,10 +40,10 @@ def _factor(unit: str, quantity: str) -> float | None:
     text = re.sub(r"\bsec\b", "s", text)
     text = re.sub(r"s/s$|s\*s$", "s^2", text)
     try:
-        one = measure(text) if text and re.fullmatch(r"[A-Za-z/*^ 0-9-]+", text) else None
+        measured = measure(text) if text and re.fullmatch(r"[A-Za-z/*^ 0-9-]+", text) else None
     except ValueError:
         return None
-    return None if one is None or one.powers != measure(UNITS[quantity]).powers else float(one.factor)
+    return None if measured is None or measured.powers != measure(UNITS[quantity]).powers else float(measured.factor)
 
 
 def _a(quantity: str) -> str:

@@ -41,8 +41,8 @@ def parted(lines: list[str]) -> list[list[str]]:
     decimals = {_decimals(cells[-1]) for cells in rows if cells}
     if len(decimals) != 1 or None in decimals:
         return rows
-    one = rf"[-+]?\d*\.\d{{{decimals.pop()}}}(?:[EeDd][-+]?\d\d)?"
-    whole, single = re.compile(f"(?:{one})+", re.ASCII), re.compile(one, re.ASCII)
+    number = rf"[-+]?\d*\.\d{{{decimals.pop()}}}(?:[EeDd][-+]?\d\d)?"
+    whole, single = re.compile(f"(?:{number})+", re.ASCII), re.compile(number, re.ASCII)
     return [list(_single(cells, whole, single)) for cells in rows]
 
 

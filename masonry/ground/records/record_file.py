@@ -64,8 +64,8 @@ class RecordFile:
     def unit_of(self, column: int) -> str | None:
         """Unit in brackets behind the name of a column, or the one that the head gives."""
         match = _IN_BRACKETS.search(" ".join(self.columns[column].split()))
-        own = match[1].strip() if match else ""
-        return own or (None if _plain(self.columns[column]) in ("t", "time") else self.unit)
+        unit = match[1].strip() if match else ""
+        return unit or (None if _plain(self.columns[column]) in ("t", "time") else self.unit)
 
     def time(self, word: str | None, step: float | None = None) -> np.ndarray:
         """(n,) s, from 0 on, in equal steps; of the first column unless another is named or the step (s) is known.
@@ -103,9 +103,11 @@ class RecordFile:
             )
         return column
 
-    def _require_alike(self, own: float, step: float | None) -> None:
-        if step is not None and abs(step - own) > ODD_STEP * own:
-            raise SceneError(f"{self.name} says that its step is {own:g} s, and not {step:g} s: leave ground.step out")
+    def _require_alike(self, file_step: float, step: float | None) -> None:
+        if step is not None and abs(step - file_step) > ODD_STEP * file_step:
+            raise SceneError(
+                f"{self.name} says that its step is {file_step:g} s, and not {step:g} s: leave ground.step out"
+            )
 
     def _rises(self, column: int) -> bool:
         try:
@@ -153,8 +155,8 @@ class RecordFile:
             return self.values[:, column] * factor_of(unit, quantity, f"{self.name}, column '{word}'")
         factor = factor_of(unit, quantity, "unit")
         if in_file is not None:
-            own = factor_of(in_file, quantity, f"{self.name}, column '{word}'")
-            if abs(own - factor) > 1e-3 * own:
+            file_factor = factor_of(in_file, quantity, f"{self.name}, column '{word}'")
+            if abs(file_factor - factor) > 1e-3 * file_factor:
                 raise SceneError(
                     f"unit = '{unit}', but {self.name} says that '{word}' is in '{visible(in_file[:40])}': one of them "
                     "is wrong; leave unit out to take the file's"

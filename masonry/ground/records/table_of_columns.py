@@ -113,7 +113,7 @@ def _first_numbers(name: str, lines: list[str]) -> tuple[str | None, int]:
     """Separator of the columns, the one of most of the first lines, and the number of the first line of numbers: of two
     or more, if there is one."""
     for fewest in (2, 1):
-        separator = max(SEPARATORS, key=lambda one: _lines_of_numbers(lines[:LOOKED_AT], one, fewest))
+        separator = max(SEPARATORS, key=lambda candidate: _lines_of_numbers(lines[:LOOKED_AT], candidate, fewest))
         for k, line in enumerate(lines):
             cells = _cells(line, separator)
             if len(cells) >= fewest and all(map(_is_number, cells if separator is None else cells[:1])):
@@ -175,7 +175,7 @@ def _names_and_units(above: list[list[str]]) -> list[str] | None:
     if not all(not unit or _BRACKETED.fullmatch(unit) or unit in SECONDS or is_unit(unit) for unit in units):
         return units
     plain = [unit.strip("()[]").strip() for unit in units]
-    return [f"{one} ({unit})" if unit else one for one, unit in zip(names, plain, strict=True)]
+    return [f"{name} ({unit})" if unit else name for name, unit in zip(names, plain, strict=True)]
 
 
 def _numbers(name: str, rows: list[list[str]], width: int) -> np.ndarray:

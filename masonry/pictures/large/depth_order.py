@@ -50,22 +50,26 @@ def overlaps(corners: np.ndarray, camera: Camera) -> tuple[np.ndarray, np.ndarra
     return np.concatenate(ordered), np.concatenate(second)
 
 
-def _shared_middle(one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _shared_middle(polygon_a: np.ndarray, polygon_b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A place (n, 2) within both of two convex polygons (n, K, 2), and whether there is any.
 
     It is the mean of the corners of what they share: corners of one within the other, and crossings of their edges.
     """
-    first, second = np.roll(one, -1, axis=1) - one, np.roll(two, -1, axis=1) - two
-    apart = two[:, None, :, :] - one[:, :, None, :]
+    first, second = np.roll(polygon_a, -1, axis=1) - polygon_a, np.roll(polygon_b, -1, axis=1) - polygon_b
+    apart = polygon_b[:, None, :, :] - polygon_a[:, :, None, :]
     across = _cross(first[:, :, None], second[:, None, :])
     with np.errstate(divide="ignore", invalid="ignore"):
         s, t = _cross(apart, second[:, None, :]) / across, _cross(apart, first[:, :, None]) / across
         crosses = np.minimum(np.minimum(s, 1.0 - s), np.minimum(t, 1.0 - t)) > 0.0
     s = np.where(crosses, s, 0.0)
-    crossing = np.where(crosses[..., None], one[:, :, None] + s[..., None] * first[:, :, None], 0.0)
+    crossing = np.where(crosses[..., None], polygon_a[:, :, None] + s[..., None] * first[:, :, None], 0.0)
     of_one = _cross(second[:, None, :], -apart).min(axis=2) >= 0.0
     of_two = _cross(first[:, :, None], apart).min(axis=1) >= 0.0
-    total = crossing.sum(axis=(1, 2)) + (one * of_one[..., None]).sum(axis=1) + (two * of_two[..., None]).sum(axis=1)
+    total = (
+        crossing.sum(axis=(1, 2))
+        + (polygon_a * of_one[..., None]).sum(axis=1)
+        + (polygon_b * of_two[..., None]).sum(axis=1)
+    )
     number = crosses.sum(axis=(1, 2)) + of_one.sum(axis=1) + of_two.sum(axis=1)
     return total / np.maximum(number, 1)[:, None], number > 0
 

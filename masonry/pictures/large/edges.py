@@ -21,14 +21,14 @@ class Continued:
 
     following  (E,) the corner at the other end of each edge
     edge       (n,) an edge that goes on
-    beyond     (n,) the same edge as part of the face beyond it
+    neighbour  (n,) the same edge as part of the face beyond it
     inner      (n,) whether both faces belong to one block
     reach      (n,) m, how far apart the two may be and still count as one
     """
 
     following: np.ndarray
     edge: np.ndarray
-    beyond: np.ndarray
+    neighbour: np.ndarray
     inner: np.ndarray
     reach: np.ndarray
 
@@ -36,7 +36,7 @@ class Continued:
         """Of the edges (E,) of the same blocks, moved: which bound a unit or what is left of it, and which a block."""
         corner = blocks.points[blocks.face_points]
         middle = 0.5 * (corner + corner[self.following])
-        together = np.linalg.norm(middle[self.edge] - middle[self.beyond], axis=1) <= self.reach
+        together = np.linalg.norm(middle[self.edge] - middle[self.neighbour], axis=1) <= self.reach
         unit, block = np.ones(len(corner), dtype=bool), np.ones(len(corner), dtype=bool)
         unit[self.edge[together]] = False
         block[self.edge[self.inner]] = False
@@ -52,12 +52,12 @@ def continued(blocks: Blocks) -> Continued:
     order = np.argsort(key.ravel(), kind="stable")
     number = np.bincount(key.ravel())
     start = np.cumsum(number) - number
-    own, other = ranges(start[key.ravel()], number[key.ravel()])
+    edge, other = ranges(start[key.ravel()], number[key.ravel()])
     other = order[other]
-    inner = block[own] == block[other]
+    inner = block[edge] == block[other]
     normal = face_areas_normals_centroids(blocks)[1]
-    cosine = np.einsum("ni,ni->n", normal[face[own]], normal[face[other]])
-    on = (own != other) & (cosine > np.where(inner, BENT, SAME_PLANE))
-    own, other, inner = own[on], other[on], inner[on]
+    cosine = np.einsum("ni,ni->n", normal[face[edge]], normal[face[other]])
+    on = (edge != other) & (cosine > np.where(inner, BENT, SAME_PLANE))
+    edge, other, inner = edge[on], other[on], inner[on]
     width = np.cbrt(volumes(blocks))
-    return Continued(following, own, other, inner, PARTED * np.minimum(width[block[own]], width[block[other]]))
+    return Continued(following, edge, other, inner, PARTED * np.minimum(width[block[edge]], width[block[other]]))

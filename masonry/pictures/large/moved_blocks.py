@@ -123,8 +123,8 @@ def seen_pieces(blocks: Blocks, camera: Camera, edges: Continued, hidden: np.nda
     unit, block = edges.kinds(blocks)
     pieces = []
     for face in seen[order].tolist():
-        own = slice(blocks.face_start[face], blocks.face_start[face + 1])
-        pieces.append(Piece(face, blocks.points[blocks.face_points[own]], unit[own], block[own]))
+        corners = slice(blocks.face_start[face], blocks.face_start[face + 1])
+        pieces.append(Piece(face, blocks.points[blocks.face_points[corners]], unit[corners], block[corners]))
     return pieces
 
 

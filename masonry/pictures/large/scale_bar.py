@@ -15,13 +15,13 @@ def draw_scale_bar(axes: Any) -> None:
     """Draw a bar of round length below the left corner of axes whose limits (m) stay."""
     from matplotlib.transforms import offset_copy
 
-    left, right = axes.get_xlim()
-    length = round_length(SHARE * abs(right - left))
-    end = left + np.sign(right - left) * length
+    start, right = axes.get_xlim()
+    length = round_length(SHARE * abs(right - start))
+    end = start + np.sign(right - start) * length
     place = offset_copy(axes.get_xaxis_transform(), axes.figure, y=-BELOW, units="points")
-    axes.plot([left, end], [0.0, 0.0], "|-", color=COLOUR, lw=1.5, ms=7.0, transform=place, clip_on=False)
+    axes.plot([start, end], [0.0, 0.0], "|-", color=COLOUR, lw=1.5, ms=7.0, transform=place, clip_on=False)
     under = offset_copy(place, axes.figure, y=-0.5 * BELOW, units="points")
-    axes.text(0.5 * (left + end), 0.0, words(length), transform=under, ha="center", va="top", fontsize=9, color=COLOUR)
+    axes.text(0.5 * (start + end), 0.0, words(length), transform=under, ha="center", va="top", fontsize=9, color=COLOUR)
 
 
 def round_length(longest: float) -> float:
