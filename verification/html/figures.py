@@ -20,10 +20,10 @@ def sheet(rows: int, columns: int, size: tuple[float, float], **options: Any) ->
     """A figure of `size` inches and its (rows, columns) axes, with a quiet grid."""
     figure = Figure(figsize=size, layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
-    for one in axes.flat:
-        one.grid(color="0.9", linewidth=0.7)
-        one.set_axisbelow(True)
-        one.spines[["top", "right"]].set_visible(False)
+    for ax in axes.flat:
+        ax.grid(color="0.9", linewidth=0.7)
+        ax.set_axisbelow(True)
+        ax.spines[["top", "right"]].set_visible(False)
     return figure, axes
 
 
@@ -47,13 +47,13 @@ def error_against_time(
     """
     figure, axes = sheet(1, len(panels), (10.0 if len(panels) > 1 else 6.8, 4.4), sharey=True)
     places = ((4, 5), (-3, -11), (6, -4), (-4, 8))
-    for one, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
+    for ax, (title, knobs), doubt in zip(axes.flat, panels.items(), doubts, strict=True):
         if doubt > 0.0:
-            one.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
-        one.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping [s]")
-        one.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
+            ax.axhspan(0.0, 100.0 * doubt, color="0.92", linewidth=0)
+        ax.set(xscale="log", yscale="log", title=title, xlabel="seconds of stepping [s]")
+        ax.axhline(1.0, color="0.35", linewidth=0.9, linestyle=":")
         best = [(p.seconds, max(100.0 * p.error, 100.0 * floor)) for p in fronts[title]]
-        one.plot(
+        ax.plot(
             *zip(*best, strict=True), color="0.8", linewidth=5.0, zorder=0, drawstyle="steps-post"
         ) if best else None
         named: list[tuple[float, float]] = []
@@ -62,15 +62,15 @@ def error_against_time(
             shown = [max(100.0 * abs(e), 100.0 * floor) for e in error]
             style = "--" if changes_model(knob) else "-"
             mark, colour = MARKS[k % len(MARKS)], COLOURS[k % len(COLOURS)]
-            one.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
+            ax.plot(seconds, shown, style, marker=mark, color=colour, markersize=5, linewidth=1.4, label=knob)
             for x, y, text in zip(seconds, shown, labels, strict=True):
                 if crowded(x, y, named):
                     continue
                 place = places[k % len(places)]
-                one.annotate(text, (x, y), place, textcoords="offset points", fontsize=7, color=colour)
-        plain_ticks(one.yaxis, " %")
-        one.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        plain_ticks(one.xaxis, "")
+                ax.annotate(text, (x, y), place, textcoords="offset points", fontsize=7, color=colour)
+        plain_ticks(ax.yaxis, " %")
+        ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        plain_ticks(ax.xaxis, "")
     low, high = axes[0, 0].get_ylim()
     if high < 300.0 * low:
         axes[0, 0].yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -92,23 +92,23 @@ def tornado(rows: Sequence[tuple[str, Sequence[Sequence[float]]]], titles: Seque
     """Rows of (name, changes per panel in %), in order from the top; a bar spans all the variations of its entry."""
     figure, axes = sheet(1, len(titles), (10.0, 0.9 + 0.26 * max(len(rows), 3)), sharey=True)
     place = np.arange(len(rows))[::-1]
-    for k, (one, title) in enumerate(zip(axes.flat, titles, strict=True)):
+    for k, (ax, title) in enumerate(zip(axes.flat, titles, strict=True)):
         low = np.array([min(0.0, *row[1][k]) for row in rows])
         high = np.array([max(0.0, *row[1][k]) for row in rows])
-        one.barh(place, low, color="#4a90c2", height=0.62)
-        one.barh(place, high, color="#fc8d59", height=0.62)
-        one.axvline(0.0, color="0.2", linewidth=0.9)
+        ax.barh(place, low, color="#4a90c2", height=0.62)
+        ax.barh(place, high, color="#fc8d59", height=0.62)
+        ax.axvline(0.0, color="0.2", linewidth=0.9)
         for y, ends in zip(place, zip(low, high, strict=True), strict=True):
             for end, side, at in zip(ends, (-3, 3), ("right", "left"), strict=True):
                 if abs(end) >= 0.05:
                     text, offset = f"{end:+.2g}" if abs(end) < 10 else f"{end:+.0f}", (side, 0)
-                    one.annotate(
+                    ax.annotate(
                         text, (end, y), offset, textcoords="offset points", ha=at, va="center", fontsize=7, color="0.3"
                     )
-        one.set_title(title, fontsize=10)
-        one.set_xlabel("change [%]")
+        ax.set_title(title, fontsize=10)
+        ax.set_xlabel("change [%]")
         reach = max(1.0, 1.35 * float(max(-low.min(initial=0.0), high.max(initial=0.0))))
-        one.set_xlim(-reach, reach)
+        ax.set_xlim(-reach, reach)
     axes[0, 0].set_yticks(place, [row[0] for row in rows], fontsize=8)
     axes[0, 0].set_ylim(-0.6, len(rows) - 0.4)
     return figure
@@ -117,12 +117,12 @@ def tornado(rows: Sequence[tuple[str, Sequence[Sequence[float]]]], titles: Seque
 def curves(panels: Mapping[str, Sequence[tuple[str, np.ndarray, np.ndarray, np.ndarray]]]) -> Figure:
     """Panel title -> (label, slip mm, stress MPa, closed form MPa): the run as a line, the closed form as dots."""
     figure, axes = sheet(1, len(panels), (10.0, 3.7), sharey=True)
-    for one, (title, lines) in zip(axes.flat, panels.items(), strict=True):
-        one.set(title=title, xlabel="slip [mm]")
+    for ax, (title, lines) in zip(axes.flat, panels.items(), strict=True):
+        ax.set(title=title, xlabel="slip [mm]")
         for k, (label, slip, stress, exact) in enumerate(lines):
-            one.plot(slip, stress, color=COLOURS[k], linewidth=1.6, label=label)
+            ax.plot(slip, stress, color=COLOURS[k], linewidth=1.6, label=label)
             sparse = np.unique(np.searchsorted(slip, np.linspace(0.0, slip[-1], 30)).clip(max=len(slip) - 1))
-            one.plot(slip[sparse], exact[sparse], "o", color=COLOURS[k], markersize=3.5, markerfacecolor="white")
+            ax.plot(slip[sparse], exact[sparse], "o", color=COLOURS[k], markersize=3.5, markerfacecolor="white")
     axes[0, 0].set_ylabel("shear stress [MPa]")
     axes[0, -1].legend(title="confinement", frameon=False, fontsize=8)
     return figure
@@ -135,25 +135,25 @@ MOST_POINTS = 600
 def plots(pair: Sequence[Plot]) -> Figure:
     """One or two pictures of a case side by side: references dashed on top, measured points as marks."""
     figure, axes = sheet(1, len(pair), (10.0 if len(pair) > 1 else 6.4, 3.7))
-    for one, plot in zip(axes.flat, pair, strict=True):
-        one.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
-        one.title.set_fontsize(10)
+    for ax, plot in zip(axes.flat, pair, strict=True):
+        ax.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
+        ax.title.set_fontsize(10)
         if plot.log:
-            one.set(xscale="log", yscale="log")
+            ax.set(xscale="log", yscale="log")
         for k, line in enumerate(plot.lines):
-            _draw(one, line, COLOURS[k % len(COLOURS)], MARKS[k % len(MARKS)])
+            _draw(ax, line, COLOURS[k % len(COLOURS)], MARKS[k % len(MARKS)])
         if any(line.label for line in plot.lines):
-            one.legend(frameon=False, fontsize=8)
+            ax.legend(frameon=False, fontsize=8)
     return figure
 
 
-def _draw(one: Axes, line: Line, colour: str, mark: str) -> None:
+def _draw(ax: Axes, line: Line, colour: str, mark: str) -> None:
     x, y = np.asarray(line.x), np.asarray(line.y)
     thin = slice(None, None, max(1, -(-len(x) // MOST_POINTS))) if line.style != "points" else slice(None)
     x, y = np.append(x[thin], x[-1:]), np.append(y[thin], y[-1:])
     if line.style == "points":
-        one.plot(x, y, mark, color=colour, markersize=4, markerfacecolor="white", label=line.label, zorder=3)
+        ax.plot(x, y, mark, color=colour, markersize=4, markerfacecolor="white", label=line.label, zorder=3)
     elif line.style == "dashed":
-        one.plot(x, y, "--", color="0.15", linewidth=1.1, dashes=(4, 3), label=line.label, zorder=4)
+        ax.plot(x, y, "--", color="0.15", linewidth=1.1, dashes=(4, 3), label=line.label, zorder=4)
     else:
-        one.plot(x, y, color=colour, linewidth=1.8, label=line.label)
+        ax.plot(x, y, color=colour, linewidth=1.8, label=line.label)

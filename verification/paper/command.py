@@ -37,9 +37,9 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message where the words are wrong."""
     words = parser().parse_args(arguments)
-    wanted = catalogue.chosen(words.experiments)
+    experiments = catalogue.chosen(words.experiments)
     if words.list:
-        print("\n".join(columns([(e.name, e.title) for e in wanted])))
+        print("\n".join(columns([(e.name, e.title) for e in experiments])))
         return 0
     if words.workers < 1:
         raise SceneError(f"--workers {words.workers}: 1 or more")
@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> int:
     begun = time.perf_counter()
     try:
         with writing(words.out):
-            shown = gathering.gather(wanted, words.out, words.quick, words.workers, tell)
+            shown = gathering.gather(experiments, words.out, words.quick, words.workers, tell)
             with WholeFiles(words.out) as files:
                 files.text(NAME, page.html_of(shown, time.perf_counter() - begun, words.quick))
     except KeyboardInterrupt as ended:
@@ -61,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
 def summary(shown: list[Shown]) -> str:
     """A line for each claim that does not hold or cannot be decided, and the count."""
     lines = []
-    for one in shown:
-        for claim in (c for c in [*one.section.claims, *one.soundness] if not c.holds):
-            lines.append(f"{one.experiment.name}: {claim.says}: {page.WORDS[claim.holds][0]}: {claim.measured}")
+    for entry in shown:
+        for claim in (c for c in [*entry.section.claims, *entry.soundness] if not c.holds):
+            lines.append(f"{entry.experiment.name}: {claim.says}: {page.WORDS[claim.holds][0]}: {claim.measured}")
     return "\n".join([*lines, page.verdict(shown).sentence])

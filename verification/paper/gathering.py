@@ -36,15 +36,15 @@ def results(
     runs = [paced(experiment.runs(quick), quick) for experiment in experiments]
     refined: list[set[str]] = [set() for _ in experiments]
     for refinement in range(REFINEMENTS + 1):
-        wanted = [own if quick else with_coarser(own) for own in runs]
-        order = in_turn(wanted)
-        jobs = [Job(wanted[k][label].scene, wanted[k][label].settings, label) for k, label in order]
+        plans = [plan if quick else with_coarser(plan) for plan in runs]
+        order = in_turn(plans)
+        jobs = [Job(plans[k][label].scene, plans[k][label].settings, label) for k, label in order]
         rows = dict(zip(order, engine.run(jobs, folder, workers, tell), strict=True))
         done = [
-            Done(own, {label: rows[k, label] for label in own}, folder, quick, refined=frozenset(refined[k]))
-            for k, own in enumerate(wanted)
+            Done(plan, {label: rows[k, label] for label in plan}, folder, quick, refined=frozenset(refined[k]))
+            for k, plan in enumerate(plans)
         ]
-        again = [careless(one) for one in done]
+        again = [careless(entry) for entry in done]
         if refinement == REFINEMENTS or not any(again):
             break
         if tell is not None:
@@ -55,10 +55,10 @@ def results(
     return done
 
 
-def in_turn(wanted: Sequence[Runs]) -> list[tuple[int, str]]:
+def in_turn(plans: Sequence[Runs]) -> list[tuple[int, str]]:
     """(number of the experiment, label) of all runs, one of each experiment in turn: those of one experiment mostly
     need the same step, and workers that come to them together all wait while one of them compiles it."""
-    lists = [[(number, label) for label in runs] for number, runs in enumerate(wanted)]
+    lists = [[(number, label) for label in runs] for number, runs in enumerate(plans)]
     return [pair for pairs in itertools.zip_longest(*lists) for pair in pairs if pair is not None]
 
 

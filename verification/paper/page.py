@@ -76,13 +76,13 @@ def row(claim: Claim) -> list[str | TableCell]:
     return [*words, TableCell(word, kind, claim.why)]
 
 
-def chapter(one: Shown) -> Chapter:
+def chapter(shown: Shown) -> Chapter:
     """The page of an experiment: its pictures, and a link to its claims."""
-    made = one.as_chapter()
-    if one.section.claims:
-        made.parts.append(link_line("Its claims, and what came out", f"{CLAIMS}-{one.experiment.name}"))
-    made.parts += [misprint_table(one.section.misprints)] if one.section.misprints else []
-    made.parts.append(paragraph(f"{one.count} runs, {duration(one.seconds)} of computing.", "note"))
+    made = shown.as_chapter()
+    if shown.section.claims:
+        made.parts.append(link_line("Its claims, and what came out", f"{CLAIMS}-{shown.experiment.name}"))
+    made.parts += [misprint_table(shown.section.misprints)] if shown.section.misprints else []
+    made.parts.append(paragraph(f"{shown.count} runs, {duration(shown.seconds)} of computing.", "note"))
     return made
 
 

@@ -38,14 +38,14 @@ def curves(
 ) -> Figure:
     """Panel title -> its lines, panels side by side; axis labels with units."""
     figure, axes = sheet(1, len(panels), (10.0 if len(panels) > 1 else 6.8, 3.8))
-    for one, (title, lines) in zip(axes.flat, panels.items(), strict=True):
-        one.set(title=title, xlabel=x_label)
+    for ax, (title, lines) in zip(axes.flat, panels.items(), strict=True):
+        ax.set(title=title, xlabel=x_label)
         for k, line in enumerate(lines):
             thin = slice(None, None, max(1, -(-len(line.x) // MOST_POINTS)))
             x, y = np.append(line.x[thin], line.x[-1:]), np.append(line.y[thin], line.y[-1:])
-            one.plot(x, y, line.style, color=line.colour or COLOURS[k % len(COLOURS)], linewidth=1.6, label=line.label)
+            ax.plot(x, y, line.style, color=line.colour or COLOURS[k % len(COLOURS)], linewidth=1.6, label=line.label)
         if any(line.label for line in lines):
-            one.legend(frameon=False, fontsize=8)
+            ax.legend(frameon=False, fontsize=8)
     axes[0, 0].set_ylabel(y_label)
     return figure
 

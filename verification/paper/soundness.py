@@ -34,10 +34,10 @@ def soundness(done: Done) -> list[Claim]:
     ends, differ = "difference over the peak", ends_that_differ(done)
     if done.refined:
         ends += f" (of which {len(done.refined)} were made again with less loading error)"
-    steady = {label: share for label, share in differ.items() if not done.runs[label].sudden}
+    steady = {label: mismatch for label, mismatch in differ.items() if not done.runs[label].sudden}
     if steady:
         made.append(_largest(steady, MISMATCH, "Both ends carry the same force", ends))
-    sudden = {label: share for label, share in differ.items() if done.runs[label].sudden}
+    sudden = {label: mismatch for label, mismatch in differ.items() if done.runs[label].sudden}
     if sudden:
         reasons = "; ".join(sorted({done.runs[label].sudden for label in sudden}))
         before = _largest(sudden, MISMATCH, "So do they before the peak where a specimen gives way at once", ends)
@@ -49,9 +49,9 @@ def soundness(done: Done) -> list[Claim]:
 
 def careless(done: Done) -> list[str]:
     """The runs that are to be loaded more carefully: their ends differ, or twice their loading error moves the peak."""
-    beyond = [label for label, share in ends_that_differ(done).items() if share >= MISMATCH]
-    beyond += [label for label, share in peaks_that_move(done).items() if share >= MOVED]
-    return [label for label in dict.fromkeys(beyond) if done.runs[label].refinable]
+    exceeding = [label for label, mismatch in ends_that_differ(done).items() if mismatch >= MISMATCH]
+    exceeding += [label for label, error in peaks_that_move(done).items() if error >= MOVED]
+    return [label for label in dict.fromkeys(exceeding) if done.runs[label].refinable]
 
 
 def ends_that_differ(done: Done) -> dict[str, float]:
@@ -90,9 +90,9 @@ def _largest(values: Mapping[str, float], limit: float, says: str, what: str) ->
     """The largest of the values against a limit; says whose it is."""
     show: Callable[[float], str] = lambda v: f"{v:.1e}" if limit < 1e-3 else f"{100.0 * v:.2g} %"  # noqa: E731
     order = sorted(values, key=lambda label: -values[label])
-    beyond = [f"{label} ({show(values[label])})" for label in order if values[label] >= limit]
-    more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
+    exceeding = [f"{label} ({show(values[label])})" for label in order if values[label] >= limit]
+    more = f" and {len(exceeding) - NAMED} more" if len(exceeding) > NAMED else ""
     return claim(says, "this program",
                  f"{what} < {show(limit)} in each of {len(values)} runs",
                  f"at most {show(values[order[0]])} ({order[0]})",
-                 not beyond, f"beyond it: {', '.join(beyond[:NAMED])}{more}" if beyond else "")  # fmt: skip
+                 not exceeding, f"beyond it: {', '.join(exceeding[:NAMED])}{more}" if exceeding else "")  # fmt: skip

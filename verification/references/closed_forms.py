@@ -126,17 +126,17 @@ def shear(law: str, joint: Joint, slip: ArrayLike, compression: ArrayLike) -> Fl
         return joint.ks * us
     past = np.maximum(us - peak / joint.ks, 0.0)
     if law == "brittle":
-        left = np.zeros_like(us)
+        fraction = np.zeros_like(us)
     elif law == "linear":
         last = 2.0 * g2 / (peak - residual) + residual / joint.ks
-        left = np.maximum(1.0 - past / (last - peak / joint.ks), 0.0)
+        fraction = np.maximum(1.0 - past / (last - peak / joint.ks), 0.0)
     elif law == "polynomial":
-        left = (1.0 + past * peak / (2.0 * g2)) ** -joint.beta
+        fraction = (1.0 + past * peak / (2.0 * g2)) ** -joint.beta
     elif law == "exponential":
-        left = np.exp(-past * joint.c0 / g2)
+        fraction = np.exp(-past * joint.c0 / g2)
     else:
         raise ValueError(f"no closed form for law '{law}'")
-    return np.where(us <= peak / joint.ks, joint.ks * us, residual + left * (peak - residual))
+    return np.where(us <= peak / joint.ks, joint.ks * us, residual + fraction * (peak - residual))
 
 
 def shear_work(law: str, joint: Joint, slip: ArrayLike, compression: ArrayLike) -> Floats:

@@ -36,8 +36,8 @@ class Sheared:
 
     def strength(self, slid: Floats) -> Floats:
         """Pa, after sliding so far."""
-        beyond = slid + self.peak_at if self.variable == "plastic" else np.maximum(slid, self.peak_at)
-        return shear(self.law, self.joint, beyond, self.compression)
+        total = slid + self.peak_at if self.variable == "plastic" else np.maximum(slid, self.peak_at)
+        return shear(self.law, self.joint, total, self.compression)
 
     def along(self, places: Floats) -> tuple[Floats, Floats]:
         """Stress (Pa) and energy gone (J/m2) at places (n,) m on one leg in order; the last one is the next turn."""

@@ -111,8 +111,8 @@ class _Ground:
         k = bisect_right(self.time, t) - 1
         if k < 0 or k >= len(self.time) - 1:
             return self.acceleration[-1] if t == self.time[-1] else 0.0
-        share = (t - self.time[k]) / (self.time[k + 1] - self.time[k])
-        return (1.0 - share) * self.acceleration[k] + share * self.acceleration[k + 1]
+        fraction = (t - self.time[k]) / (self.time[k + 1] - self.time[k])
+        return (1.0 - fraction) * self.acceleration[k] + fraction * self.acceleration[k + 1]
 
     def exceeds(self, limit: float, since: float) -> float | None:
         """When its size is more than a limit first, from a time on."""
@@ -121,8 +121,8 @@ class _Ground:
         for k in range(max(0, bisect_right(self.time, since) - 1), len(self.time) - 1):
             first, last = self.acceleration[k], self.acceleration[k + 1]
             if abs(last) > limit:
-                share = (np.sign(last) * limit - first) / (last - first)
-                return max(since, self.time[k] + float(share) * (self.time[k + 1] - self.time[k]))
+                fraction = (np.sign(last) * limit - first) / (last - first)
+                return max(since, self.time[k] + float(fraction) * (self.time[k + 1] - self.time[k]))
         return None
 
 

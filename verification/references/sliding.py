@@ -17,8 +17,8 @@ class Slip(NamedTuple):
     """m: at the end, the least and the most."""
 
     end: float
-    least: float
-    most: float
+    minimum: float
+    maximum: float
 
 
 def slide(time: np.ndarray, acceleration: np.ndarray, forward: float, back: float, after: float = 60.0) -> Slip:
@@ -30,43 +30,43 @@ def slide(time: np.ndarray, acceleration: np.ndarray, forward: float, back: floa
     time = np.concatenate([time, [time[-1] * (1 + 1e-15), time[-1] + after]])
     push = -np.concatenate([acceleration, [0.0, 0.0]])
     place = speed = 0.0
-    least = most = 0.0
+    minimum = maximum = 0.0
     for k in range(len(time) - 1):
-        begin, left, now = push[k], time[k + 1] - time[k], 0.0
-        slope = (push[k + 1] - begin) / left
-        while now < left:
+        begin, duration, now = push[k], time[k + 1] - time[k], 0.0
+        slope = (push[k + 1] - begin) / duration
+        while now < duration:
             drive = begin + slope * now
             side = float(np.sign(speed)) or (1.0 if _yields(drive - forward, slope) else 0.0)
             side = side or (-1.0 if _yields(-drive - back, -slope) else 0.0)
             if side == 0.0:
-                now = _begins(begin, slope, now, left, forward, back)
+                now = _begins(begin, slope, now, duration, forward, back)
                 continue
             excess = drive - forward if side > 0.0 else drive + back
-            lasts = _until_it_stops(speed, excess, slope, left - now)
+            lasts = _until_it_stops(speed, excess, slope, duration - now)
             place += lasts * (speed + lasts * (0.5 * excess + slope * lasts / 6.0))
             speed += lasts * (excess + 0.5 * slope * lasts)
-            if lasts < left - now:
+            if lasts < duration - now:
                 speed = 0.0
             now += lasts
-            least, most = min(least, place), max(most, place)
-    return Slip(place, least, most)
+            minimum, maximum = min(minimum, place), max(maximum, place)
+    return Slip(place, minimum, maximum)
 
 
 def _yields(excess: float, slope: float) -> bool:
     return excess > 0.0 or (excess == 0.0 and slope > 0.0)
 
 
-def _begins(begin: float, slope: float, now: float, left: float, forward: float, back: float) -> float:
+def _begins(begin: float, slope: float, now: float, duration: float, forward: float, back: float) -> float:
     """When a block that sticks yields in an interval; its end where it does not."""
     if slope == 0.0:
-        return left
+        return duration
     at = ((forward if slope > 0.0 else -back) - begin) / slope
-    return float(np.nextafter(at, np.inf)) if now < at < left else left
+    return float(np.nextafter(at, np.inf)) if now < at < duration else duration
 
 
-def _until_it_stops(speed: float, excess: float, slope: float, left: float) -> float:
-    """Time (s) until speed + excess t + slope t^2 / 2 comes back to 0, `left` at most."""
+def _until_it_stops(speed: float, excess: float, slope: float, duration: float) -> float:
+    """Time (s) until speed + excess t + slope t^2 / 2 comes back to 0, `duration` at most."""
     roots = np.roots([0.5 * slope, excess, speed]) if slope else np.array([-speed / excess]) if excess else np.zeros(0)
     real = roots[np.abs(np.imag(roots)) < 1e-14].real
-    ahead = real[(real > 1e-13 * max(left, 1.0)) & (real < left)]
-    return float(ahead.min()) if len(ahead) else left
+    ahead = real[(real > 1e-13 * max(duration, 1.0)) & (real < duration)]
+    return float(ahead.min()) if len(ahead) else duration

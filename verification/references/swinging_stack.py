@@ -74,8 +74,8 @@ class Stack:
         rise[0, 1], rise[3, 2] = half, -half
         inert = np.eye(4)
         inert[2, 0], inert[3, 1] = -self.mass * square, -self.inertia * square
-        one = rise @ inert @ rise @ joint
-        return _determinant(np.linalg.matrix_power(one, self.count))
+        transfer = rise @ inert @ rise @ joint
+        return _determinant(np.linalg.matrix_power(transfer, self.count))
 
     def _free_end(self, omega: float) -> float:
         """The same of the beam."""

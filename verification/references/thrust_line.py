@@ -100,13 +100,13 @@ def largest_factor(cuts: list[Cuts], tan_friction: float) -> float:
 
     inf where any factor is balanced; ValueError where the dead loads are not.
     """
-    rows = np.vstack([one.conditions(tan_friction) for one in cuts])
+    rows = np.vstack([cut.conditions(tan_friction) for cut in cuts])
     scale = np.abs(rows[:, -1]).max() or 1.0
     cost = np.zeros(rows.shape[1] - 1)
     cost[-1] = -1.0
     bounds = [(None, None)] * (len(cost) - 1) + [(0.0, None)]
-    left = np.column_stack([rows[:, :-2], rows[:, -2] / scale])
-    answer = linprog(cost, left, -rows[:, -1] / scale, bounds=bounds, method="highs")
+    matrix = np.column_stack([rows[:, :-2], rows[:, -2] / scale])
+    answer = linprog(cost, matrix, -rows[:, -1] / scale, bounds=bounds, method="highs")
     if answer.status in (3, 4):
         return np.inf
     if answer.status:
@@ -136,8 +136,8 @@ class Spans:
         starts = np.cumsum([0, *(len(ring.joints) for ring in self.rings)])
         cuts = []
         for k, ring in enumerate(self.rings):
-            own = slice(starts[k], starts[k + 1] - 1)
-            cuts.append(ring.cuts(added(ring.weights(weight)) + dead[own], live[own], 3 * k, 3 * len(self.rings)))
+            rows = slice(starts[k], starts[k + 1] - 1)
+            cuts.append(ring.cuts(added(ring.weights(weight)) + dead[rows], live[rows], 3 * k, 3 * len(self.rings)))
         for k, pier in enumerate(self.piers):
             on_top = np.stack([live[starts[k + 1] - 1], dead[starts[k + 1] - 1]])
             cuts.append(_pier_cuts(cuts[k], cuts[k + 1], pier, weight, on_top))
@@ -146,17 +146,17 @@ class Spans:
 
 def _pier_cuts(before: Cuts, behind: Cuts, pier: tuple[float, float, int], weight: float, on_top: np.ndarray) -> Cuts:
     """Of the bed joints of a pier between two arches; on_top (2, 2) force and moment on it, of the factor and dead."""
-    (width, height, courses), left = pier, before.joints[-1, 0, 0]
+    (width, height, courses), x_left = pier, before.joints[-1, 0, 0]
     rise = height / courses
-    head = np.array([[left, -rise], [left + width, -rise], *behind.joints[0], *before.joints[-1, ::-1]])
+    head = np.array([[x_left, -rise], [x_left + width, -rise], *behind.joints[0], *before.joints[-1, ::-1]])
     area, centre = _area_and_middle(head)
     wrench, joints = before.wrench[-1] - behind.wrench[0], []
     wrench[1:, -2:] -= on_top.T
     all_wrenches = []
     for course in range(courses):
-        own, x = (weight * area, centre) if course == 0 else (weight * width * rise, left + 0.5 * width)
-        wrench = wrench - np.outer([0.0, own, own * x], np.eye(wrench.shape[1])[-1])
-        joints.append([[left, -rise * (course + 1)], [left + width, -rise * (course + 1)]])
+        load, x = (weight * area, centre) if course == 0 else (weight * width * rise, x_left + 0.5 * width)
+        wrench = wrench - np.outer([0.0, load, load * x], np.eye(wrench.shape[1])[-1])
+        joints.append([[x_left, -rise * (course + 1)], [x_left + width, -rise * (course + 1)]])
         all_wrenches.append(wrench)
     return Cuts(np.array(joints), np.array(all_wrenches))
 

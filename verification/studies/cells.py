@@ -84,9 +84,9 @@ def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
         page.table(["cells", "tets", "ms a block", "worst radius ratio"], tets, "Tets of 0.55 h by gmsh"),
         _many(many),
     )
-    least = min(ratios)
+    minimum = min(ratios)
     made.judge("Cells", all(met), f"{sum(met)} of {len(met)} limits are kept.")
-    made.judge("Tets in cells", least >= ROUND, f"Least radius ratio {least:.2f}; {ROUND:g} is sought.")
+    made.judge("Tets in cells", minimum >= ROUND, f"Least radius ratio {minimum:.2f}; {ROUND:g} is sought.")
     return made
 
 
@@ -138,8 +138,8 @@ def _many(count: int) -> str:
     blocks = to_blocks(power, np.zeros(count, dtype=np.int64))
     seconds = time.perf_counter() - begin
     faces = np.diff(blocks.block_face_start)
-    off = abs(cell_volumes(power).sum() - 1.0)
+    error = abs(cell_volumes(power).sum() - 1.0)
     return (
         f"{count} cells of a Voronoi division in space, as blocks: {seconds:.1f} s; {faces.mean():.2f} faces a cell; "
-        f"volumes add up to the whole within {off:.0e}."
+        f"volumes add up to the whole within {error:.0e}."
     )

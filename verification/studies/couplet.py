@@ -20,21 +20,21 @@ TOLERANCE = {"peak": 1e-3, "residual": 1e-3, "curve": 5e-3, "dissipated": 1e-3}
 WORDS = {"peak": "peak", "residual": "final stress", "curve": "whole curve", "dissipated": "dissipated energy"}
 
 
-def errors(one: SceneRun) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def errors(run: SceneRun) -> tuple[dict[str, tuple[float, float, float]], tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """(quantity -> (value, reference, scale), (slip m, tau Pa, closed form Pa) at the rows).
 
     The curve's value is its largest distance from the closed form, in shares of the peak.
     """
-    exact = exact_values(one)
-    moving = one.rows["displacement"] > 0.0
-    slip, tau = one.rows["displacement"][moving], one.rows["stress"][moving]
-    closed = exact_stress(one.scene, one.knobs, slip)
-    off = float(np.abs(tau - closed).max() / exact["peak"])
+    exact = exact_values(run)
+    moving = run.rows["displacement"] > 0.0
+    slip, tau = run.rows["displacement"][moving], run.rows["stress"][moving]
+    closed = exact_stress(run.scene, run.knobs, slip)
+    error = float(np.abs(tau - closed).max() / exact["peak"])
     quantities = {
-        "peak": (one.value("peak"), exact["peak"], 0.0),
-        "residual": (one.value("final"), exact["final"], 0.0),
-        "curve": (off, 0.0, 1.0),
-        "dissipated": (one.value("dissipated"), exact["dissipated"], 0.0),
+        "peak": (run.value("peak"), exact["peak"], 0.0),
+        "residual": (run.value("final"), exact["final"], 0.0),
+        "curve": (error, 0.0, 1.0),
+        "dissipated": (run.value("dissipated"), exact["dissipated"], 0.0),
     }
     return quantities, (slip, tau, closed)
 
@@ -53,20 +53,20 @@ def chapter(
     rows: list[list[str | page.TableCell]] = []
     for law, motion, confinement in itertools.product(laws, kinematics[:1] if quick else kinematics, confinements):
         tell(f"couplet: {law}, {motion}, {confinement}")
-        one = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
+        run = timed_run.run("couplet", {"law": law, "kinematics": motion, "confinement": confinement, **FINE})
         rows.append([law, motion, confinement])
-        if not one.ok:
+        if not run.ok:
             worst = dict.fromkeys(TOLERANCE, math.inf)
-            rows[-1].append(page.judged(one.status, False, page.short(one.reason)))
+            rows[-1].append(page.judged(run.status, False, page.short(run.reason)))
             continue
-        quantities, (slip, tau, closed) = errors(one)
+        quantities, (slip, tau, closed) = errors(run)
         for name, (value, reference, scale) in quantities.items():
-            entry = timed_run.record(one, name, value, reference, "closed form", scale)
+            entry = timed_run.record(run, name, value, reference, "closed form", scale)
             made.records.append(entry)
-            off = abs(entry["error"])
-            worst[name] = max(worst[name], off)
-            rows[-1].append(page.judged(page.percent(entry["error"]), off <= TOLERANCE[name]))
-        rows[-1].append(f"{one.seconds:.2g} s")
+            error = abs(entry["error"])
+            worst[name] = max(worst[name], error)
+            rows[-1].append(page.judged(page.percent(entry["error"]), error <= TOLERANCE[name]))
+        rows[-1].append(f"{run.seconds:.2g} s")
         if motion == kinematics[0]:
             panels.setdefault(law, []).append((confinement, 1e3 * slip, 1e-6 * tau, 1e-6 * closed))
     header = ["law", "units", "confinement", *(f"{w} (limit {page.percent(TOLERANCE[k])})" for k, w in WORDS.items())]

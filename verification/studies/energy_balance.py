@@ -18,12 +18,12 @@ def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
     """
     made = page.Chapter("Energy balance")
     sorts: dict[str, list[SceneRun]] = {sort: [] for sort in (QUIET, SUDDEN, ROUGH, BEYOND)}
-    for one in timed_run.DONE.values():
-        if one.ok:
-            sorts[sort_of(one)].append(one)
+    for run in timed_run.DONE.values():
+        if run.ok:
+            sorts[sort_of(run)].append(run)
     rows, worst = [], dict.fromkeys(FIGURES, 0.0)
-    for case in sorted({one.name for one in sorts[QUIET]}):
-        runs = [one for one in sorts[QUIET] if one.name == case]
+    for case in sorted({run.name for run in sorts[QUIET]}):
+        runs = [run for run in sorts[QUIET] if run.name == case]
         tell(f"energy balance: {case}, {len(runs)} runs")
         cells: list[str | int | page.TableCell] = [case, len(runs)]
         for key, (limit, figure) in FIGURES.items():
@@ -35,7 +35,7 @@ def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
             cells.append(page.judged(f"{value:.1e}", kind_of(value, limit), f"at {knobs}"))
         rows.append(cells)
     rough, step = (max(map(mismatch, sorts[sort]), default=0.0) for sort in (ROUGH, SUDDEN))
-    caught = [one for one in sorts[BEYOND] if mismatch(one) > AGREES]
+    caught = [run for run in sorts[BEYOND] if mismatch(run) > AGREES]
     made.add(
         INTRODUCTION,
         page.table(["scene", "runs", *HEADER], rows),
@@ -56,12 +56,12 @@ def chapter(tell: Callable[[str], None], quick: bool = False) -> page.Chapter:
     return made
 
 
-def mismatch(one: SceneRun) -> float:
+def mismatch(run: SceneRun) -> float:
     """Of the two sums of what is dissipated, over the first."""
-    return float(one.summary["dissipation_mismatch"])
+    return float(run.summary["dissipation_mismatch"])
 
 
-FIGURES = {"energy_imbalance": (CLOSES, lambda one: one.imbalance), "dissipation_mismatch": (AGREES, mismatch)}
+FIGURES = {"energy_imbalance": (CLOSES, lambda run: run.imbalance), "dissipation_mismatch": (AGREES, mismatch)}
 """Key of a record -> limit, and what is measured of a run."""
 
 
@@ -70,9 +70,9 @@ def kind_of(value: float, limit: float) -> str:
     return "ok" if value <= limit else "warn" if limit == AGREES and value <= TOLERABLE else "bad"
 
 
-def sort_of(one: SceneRun) -> str:
+def sort_of(run: SceneRun) -> str:
     """Of a run that came through: what its two sums can be asked to agree to."""
-    summary = one.summary
+    summary = run.summary
     if float(summary["step_fraction"]) > 1.0:
         return BEYOND
     if (summary["kinetic_over_internal_max"] or 0.0) > FAST:

@@ -21,25 +21,25 @@ def chapter(tell: Callable[[str], None], chosen: Sequence[Problem] | None = None
     A quick one leaves dear problems out, refines the loading alone, and makes each run once.
     """
     made = page.Chapter("Error against run time")
-    wanted = list(problems() if chosen is None else chosen)
+    selected = list(problems() if chosen is None else chosen)
     if quick:
-        wanted = [problem.of_the_loading() for problem in wanted if not problem.dear]
-    studies = [Study(problem, tell, timed=not quick) for problem in wanted]
+        selected = [problem.of_the_loading() for problem in selected if not problem.dear]
+    studies = [Study(problem, tell, timed=not quick) for problem in selected]
     made.records += [record for study in studies for record in (*study.records, *threads.records(study))]
-    shipped = [(study, one) for study in studies if (one := study.shipped)]
+    shipped = [(study, point) for study in studies if (point := study.shipped)]
     header = ["problem", "as shipped", "quickest of that error", "time to 1 %", "time to 0.1 %", "settings"]
     caption = "The largest error over all quantities of a problem, and seconds of stepping on one thread"
     made.add(*INTRODUCTION, page.table(header, map(row, studies), caption), problems_of_cases.table())
     for study in studies:
         made.add(*section(study))
-    worst = max((one.error + study.doubt for study, one in shipped), default=0.0)
+    worst = max((point.error + study.doubt for study, point in shipped), default=0.0)
     made.judge(
         "Loading rate",
         "ok" if worst <= 0.01 else "warn" if worst <= 0.03 else "bad",
         f"At the shipped loading all quantities of {len(studies)} problems are within {page.percent(worst)} of their "
         f"references (the references' doubt included).",
     )
-    slow = [study.problem.title for study, one in shipped if not near(one, study.points(), study.doubt)]
+    slow = [study.problem.title for study, point in shipped if not near(point, study.points(), study.doubt)]
     words = (
         f"It takes more than {NEAR:g} times as long as the quickest setting of the same error in: {', '.join(slow)}."
     )

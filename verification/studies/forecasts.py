@@ -40,14 +40,14 @@ def line(name: str, results: Path | None) -> str:
     scene = load(file if file.exists() else name)
     run = forecast(assemble(scene))
     summary = summary_of(scene) if results is None else Summary.read(json_of(results / name / "summary.json"))
-    (steps, fewest, most), (seconds, least, longest) = run.steps, run.seconds
+    (steps, fewest, largest), (seconds, shortest, longest) = run.steps, run.seconds
     made, processor = summary.steps or 1, summary.seconds_processor_run
-    row = f"{name:<30}{steps:>9}{fewest:>9}{most:>9}{made:>9}{steps / made:7.2f}"
-    row += f" {'in' if fewest <= made <= most else 'OUT':>4}"
+    row = f"{name:<30}{steps:>9}{fewest:>9}{largest:>9}{made:>9}{steps / made:7.2f}"
+    row += f" {'in' if fewest <= made <= largest else 'OUT':>4}"
     if processor is None:
         return row
-    within = "in" if least / 2 <= processor <= 2 * longest else "OUT"
-    return f"{row}{seconds:10.2f}{least:10.2f}{longest:10.2f}{processor:10.2f}{seconds / processor:7.2f} {within:>4}"
+    within = "in" if shortest / 2 <= processor <= 2 * longest else "OUT"
+    return f"{row}{seconds:10.2f}{shortest:10.2f}{longest:10.2f}{processor:10.2f}{seconds / processor:7.2f} {within:>4}"
 
 
 def main() -> None:

@@ -16,9 +16,9 @@ def errors(wall: MortaredWall, points: tuple[tuple[str, int], ...] = POINTS) -> 
     """(error of the peak against that by many points, what the run says of it) for each rule and number of points."""
     peaks, words = [], []
     for rule, number in (("gauss", ENOUGH), *points):
-        one = timed_run.run(wall.scene, wall.with_points(rule, number))
-        peaks.append(one.value("peak") if one.ok else float("nan"))
-        words.append(said(one.summary) - 1.0)
+        run = timed_run.run(wall.scene, wall.with_points(rule, number))
+        peaks.append(run.value("peak") if run.ok else float("nan"))
+        words.append(said(run.summary) - 1.0)
     return [(peak / peaks[0] - 1.0, word) for peak, word in zip(peaks[1:], words[1:], strict=True)]
 
 
@@ -34,14 +34,14 @@ def chapter(
     for name, wall in known.items():
         tell(f"points of joints that bend: {name}")
         rows.append([name])
-        for (rule, number), (off, word) in zip(POINTS, errors(wall), strict=True):
-            warned = (word > 0.0) == (off > 0.0) and word != 0.0
-            good = warned if abs(off) > OFF else True
+        for (rule, number), (error, word) in zip(POINTS, errors(wall), strict=True):
+            warned = (word > 0.0) == (error > 0.0) and word != 0.0
+            good = warned if abs(error) > OFF else True
             missed += [] if good or word else [f"{name}, {number} points, {rule}"]
             wrong += not good and word != 0.0
-            worst, count = max(worst, abs(off) if not word else 0.0), count + 1
+            worst, count = max(worst, abs(error) if not word else 0.0), count + 1
             words = f"said {100.0 * word:+.2g} %" if word else "silent"
-            rows[-1].append(page.judged(f"{100.0 * off:+.2g} %", good, words))
+            rows[-1].append(page.judged(f"{100.0 * error:+.2g} %", good, words))
     header = ["wall", *(f"{number} points, {rule}" for rule, number in POINTS)]
     made.add(INTRODUCTION, page.table(header, rows, f"Error of the peak against {ENOUGH} Gauss points, and the words."))
     sentence = (

@@ -52,8 +52,8 @@ class Study:
         differs from it: two ways to the same limit.
         """
         if self.problem.exact is not None:
-            one = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
-            return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(one).items()}
+            run = next(t for runs in self.runs.values() for t in runs.values() if t.ok)
+            return {q: Reference(value, self.problem.kind) for q, value in self.problem.exact(run).items()}
         runs = [self.problem.measure(t) for t in self.runs[self.problem.converged].values() if t.ok]
         references = {q: richardson([run[q] for run in runs]) for q in self.problem.units}
         paced = [t for t in self.runs.get(ACCURACY, {}).values() if t.ok]
@@ -64,14 +64,14 @@ class Study:
 
     def _records(self, knob: str) -> Iterator[Record]:
         exact_values = self.problem.exact or (self.problem.theory if changes_model(knob) else None)
-        for label, one in self.runs[knob].items():
-            values = self.problem.measure(one) if one.ok else {}
-            exact = exact_values(one) if one.ok and exact_values is not None else {}
+        for label, run in self.runs[knob].items():
+            values = self.problem.measure(run) if run.ok else {}
+            exact = exact_values(run) if run.ok and exact_values is not None else {}
             for quantity, reference in self.references.items():
                 value = values.get(quantity, math.nan)
                 kind = self.problem.kind if quantity in exact else reference.kind
-                wanted = exact.get(quantity, reference.value)
-                entry = timed_run.record(one, quantity, value, wanted, kind, self._scale(quantity, exact))
+                expected = exact.get(quantity, reference.value)
+                entry = timed_run.record(run, quantity, value, expected, kind, self._scale(quantity, exact))
                 yield entry | {
                     "case": self.problem.name,
                     "unit": self.problem.units[quantity],

@@ -103,8 +103,8 @@ def compare(trial: Trial) -> Peaks:
     result = result_of(SCENE, settings_of(block) | {"ground": ground, "solver.duration": f"{BEGIN + UNTIL} s"})
     run = _angle(form, float(np.abs(result.history.rows["sway"]).max()))
     record = MadeGround.model_validate(made).record()
-    forms = [alone(block, share * trial.restitution) for share in SHARES]
-    integrated = (rock(one, record.time, record.acceleration, UNTIL).peak for one in forms)
+    forms = [alone(block, fraction * trial.restitution) for fraction in SHARES]
+    integrated = (rock(form, record.time, record.acceleration, UNTIL).peak for form in forms)
     return Peaks(_in_alpha(run, form), tuple(_in_alpha(angle, form) for angle in integrated))
 
 
@@ -138,8 +138,8 @@ class Statistics(NamedTuple):
     def median_off(self) -> float:
         """Of the runs, as a share, beyond those of all integrations; 0 where it lies between them."""
         run, *integrated = self.medians
-        least, most = min(integrated), max(integrated)
-        return 0.0 if least <= run <= most else abs(run / min(max(run, least), most) - 1.0)
+        minimum, maximum = min(integrated), max(integrated)
+        return 0.0 if minimum <= run <= maximum else abs(run / min(max(run, minimum), maximum) - 1.0)
 
     def holds(self, trials: int) -> bool:
         """Whether they are alike within what was stated for MOTIONS trials; of fewer the median says little."""
@@ -151,9 +151,9 @@ def statistics_of(peaks: Sequence[Peaks]) -> Statistics:
     """Of the trials of one block and one size of motion."""
     angles = np.maximum(np.array([(trial.run, *trial.integrated) for trial in peaks]), LEAST_ANGLE).T
     at = np.unique(angles[:2])
-    runs, integrated = (np.searchsorted(np.sort(one), at, side="right") / len(one) for one in angles[:2])
-    fell = tuple(int(np.isinf(one).sum()) for one in angles)
-    medians = tuple(float(np.quantile(one, 0.5, method="lower")) for one in angles)
+    runs, integrated = (np.searchsorted(np.sort(sample), at, side="right") / len(sample) for sample in angles[:2])
+    fell = tuple(int(np.isinf(sample).sum()) for sample in angles)
+    medians = tuple(float(np.quantile(sample, 0.5, method="lower")) for sample in angles)
     return Statistics(fell, medians, float(np.abs(runs - integrated).max()))
 
 

@@ -15,15 +15,15 @@ from verification.timed_run import THREADS
 def apart(runs: Mapping[str, SceneRun]) -> dict[str, float]:
     """Setting -> largest difference of any row from the first's, over the largest value of its kind; 0.0 if none."""
     first, *others = runs.items()
-    return {label: _difference(first[1], one) for label, one in others}
+    return {label: _difference(first[1], run) for label, run in others}
 
 
-def _difference(one: SceneRun, other: SceneRun) -> float:
-    if not (one.ok and other.ok) or any(len(one.rows[key]) != len(other.rows[key]) for key in one.rows):
+def _difference(first: SceneRun, second: SceneRun) -> float:
+    if not (first.ok and second.ok) or any(len(first.rows[key]) != len(second.rows[key]) for key in first.rows):
         return float("inf")
     worst = 0.0
-    for key, values in one.rows.items():
-        gap = float(np.abs(other.rows[key] - values).max(initial=0.0))
+    for key, values in first.rows.items():
+        gap = float(np.abs(second.rows[key] - values).max(initial=0.0))
         size = float(np.abs(values).max(initial=0.0))
         worst = max(worst, gap / size if size else gap)
     return worst

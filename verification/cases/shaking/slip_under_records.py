@@ -77,7 +77,7 @@ def level(findings: Findings, name: str, ground: dict[str, Any], friction: float
     motion = motion_of(ground)
     wanted = slide(motion.time, motion.acceleration, friction * G, friction * G)
     made = slips(findings, name, {"ground": ground, "contact.table_units.tan_friction_angle": friction})
-    most = max(abs(wanted.least), wanted.most)
+    most = max(abs(wanted.minimum), wanted.maximum)
     worst = max(abs(value - reference) for value, reference in zip(made, wanted, strict=True))
     words = f"{name}: slip at the end, least and most, the worst difference from the exact ones"
     findings.check(words, "m", worst, 0.0, Tolerance(1.5e-3, 4e-4, WHY, "converged run"), scale=most)

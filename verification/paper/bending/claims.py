@@ -30,15 +30,15 @@ def capacity_rises(done: Done) -> Claim:
 
 def trend(done: Done) -> Claim:
     """The force falls past the peak, and does not vanish."""
-    left = {}
+    remaining = {}
     for name in (label(*wall) for wall in walls()):
         rows, at = done[name].history.rows, done[name].summary["gauges"][GAUGE]["at_peak_m"]
-        left[name] = float(np.interp(3.0 * at, rows[GAUGE], rows["force"]) / rows["force"].max())
+        remaining[name] = float(np.interp(3.0 * at, rows[GAUGE], rows["force"]) / rows["force"].max())
     return claim("The curves have the same trend with and without pre-compression", "7, Fig. 21",
                  f"at three times the deflection of the peak between 0 and {FALLEN:.0%} of it is left, in all four "
                  "walls",
-                 ", ".join(f"{value:.0%} ({name})" for name, value in left.items()),
-                 all(0.0 < value < FALLEN for value in left.values()),
+                 ", ".join(f"{value:.0%} ({name})" for name, value in remaining.items()),
+                 all(0.0 < value < FALLEN for value in remaining.values()),
                  "the force does not fall, or vanishes")  # fmt: skip
 
 

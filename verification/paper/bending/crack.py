@@ -39,8 +39,8 @@ class FlexuralCrack:
     @property
     def word(self) -> str:
         """ "stepped": round all units; "straight": through a unit in every other course; "mixed" between."""
-        most = len(self.courses) // 2
-        return "stepped" if self.through == 0 else "mixed" if self.through < most else "straight"
+        half = len(self.courses) // 2
+        return "stepped" if self.through == 0 else "mixed" if self.through < half else "straight"
 
     def sentence(self) -> str:
         """The pattern with its numbers."""

@@ -54,20 +54,20 @@ def parts(done: Done) -> list[str]:
 def picture(done: Done) -> Figure:
     """A panel for each pre-compression."""
     figure, axes = sheet(1, len(SCENES), (10.0, 4.4), sharey=True)
-    for one, sigma in zip(axes.flat, SCENES, strict=True):
-        one.set(title=f"pre-compression {sigma}", xlabel="tensile strength of interfaces [MPa]", xlim=(0.15, 0.65))
+    for ax, sigma in zip(axes.flat, SCENES, strict=True):
+        ax.set(title=f"pre-compression {sigma}", xlabel="tensile strength of interfaces [MPa]", xlim=(0.15, 0.65))
         for pair in STRENGTHS:
             run = label(pair, sigma)
             mark, colour = MARK[crack_of(done, run).word]
-            one.plot(*pair, mark, color=colour, markersize=11, markeredgewidth=3.0)
-            one.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (11, -3), textcoords="offset points", fontsize=8)
+            ax.plot(*pair, mark, color=colour, markersize=11, markeredgewidth=3.0)
+            ax.annotate(f"{1e-6 * done.peak(run):.2f} MPa", pair, (11, -3), textcoords="offset points", fontsize=8)
         across, wall = np.linspace(0.15, 0.65, 30), wall_by_hand(done, label(ASSUMED, sigma))
         for behaviour, style in (("brittle", "--"), ("plastic", ":")):
             limits = [even(wall, 1e6 * x, behaviour) for x in across]
-            one.plot(across, np.array(limits) * 1e-6, style, color="0.4", linewidth=1.2, label=f"by hand, {behaviour}")
-        one.set_ylim(0.4, 5.5)
+            ax.plot(across, np.array(limits) * 1e-6, style, color="0.4", linewidth=1.2, label=f"by hand, {behaviour}")
+        ax.set_ylim(0.4, 5.5)
         for word, (mark, colour) in MARK.items():
-            one.plot([], [], mark, color=colour, markersize=8, markeredgewidth=2.5, label=word)
+            ax.plot([], [], mark, color=colour, markersize=8, markeredgewidth=2.5, label=word)
     axes[0, 0].set_ylabel("tensile strength of units [MPa]")
     axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
     return figure

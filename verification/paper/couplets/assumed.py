@@ -54,9 +54,9 @@ def moves(done: Done) -> dict[tuple[str, str, str], list[float]]:
     changes: dict[tuple[str, str, str], list[float]] = {}
     for key in VARIED:
         for c in (LOW, HIGH):
-            one, base = done[label(*key, c)], done[name(key[0], c)]
+            run, base = done[label(*key, c)], done[name(key[0], c)]
             peak = done.peak(label(*key, c)) / done.peak(name(key[0], c)) - 1.0
-            rest = plateau(one.history.rows) / plateau(base.history.rows) - 1.0
+            rest = plateau(run.history.rows) / plateau(base.history.rows) - 1.0
             changes.setdefault(key, []).extend([peak, rest])
     return changes
 

@@ -32,8 +32,8 @@ def bed(ratio: float) -> dict[str, Any]:
 
 def label(size: str, confinement: str, ratio: int) -> str:
     """The label of a run; that of the shipped bed is the model's own."""
-    own = name(size, confinement)
-    return own if ratio == SHIPPED else f"{own}, bed {ratio} times as strong as its interfaces"
+    own_name = name(size, confinement)
+    return own_name if ratio == SHIPPED else f"{own_name}, bed {ratio} times as strong as its interfaces"
 
 
 def runs(quick: bool) -> dict[str, Run]:

@@ -65,15 +65,16 @@ def seeds(done: Done) -> Claim:
 def stiff_blocks(done: Done) -> Claim:
     """Ten times the macro stiffness, against rigid blocks and the macro stiffness itself."""
     rigid = [done.peak(name("coarse", c)) for c in (LOW, HIGH)]
-    off = {
+    changes = {
         word: [done.peak(label.format(c)) / r - 1.0 for c, r in zip((LOW, HIGH), rigid, strict=True)]
         for word, label in (("ten times", SEMI_RIGID), ("once", OF_BRICK))
     }
     return claim("Blocks ten times as stiff as the materials leave deformation to the discontinuities", "4",
                  f"peaks of semi-rigid blocks within {RIGID:.0%} of those of rigid ones, coarse, 0.1 and 1.0 MPa",
                  "; ".join(f"{word} the stiffness {words((100 * v for v in values), '+.1f')} %"
-                     for word, values in off.items()),
-                 max(map(abs, off["ten times"])) <= RIGID, "the deformation of the blocks has an effect")  # fmt: skip
+                     for word, values in changes.items()),
+                 max(map(abs, changes["ten times"])) <= RIGID,
+                 "the deformation of the blocks has an effect")  # fmt: skip
 
 
 def uneven(even: dict[str, tuple[Interfaces, float]]) -> Claim:
@@ -82,7 +83,7 @@ def uneven(even: dict[str, tuple[Interfaces, float]]) -> Claim:
                  f"standard deviation of the normal stress on the interfaces at the peak > {UNEVEN:.0%} of the "
                  "confinement",
                  "deviation, share of the interfaces in tension, share softened: "
-                 + "; ".join(f"{label} {one.scatter / 1e6:.2f} MPa, {one.tension:.0%}, {one.softened:.0%}"
-                     for label, (one, _) in even.items()),
-                 all(one.scatter > UNEVEN * confinement for one, confinement in even.values()),
+                 + "; ".join(f"{label} {pattern.scatter / 1e6:.2f} MPa, {pattern.tension:.0%}, {pattern.softened:.0%}"
+                     for label, (pattern, _) in even.items()),
+                 all(pattern.scatter > UNEVEN * confinement for pattern, confinement in even.values()),
                  "it is uniform")  # fmt: skip

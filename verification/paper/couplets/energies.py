@@ -69,18 +69,18 @@ def snap_back() -> Claim:
     """Energies below the elastic ones are refused, with the least that works."""
     key = "contact.unit_unit.fracture_energy_mode_"
     said = {}
-    for least, knobs in (
+    for minimum, knobs in (
         (5.76003, {key + "2": "5 N/m", key + "2_slope": "0 N/m/MPa"}),
         (1.12133, {key + "1": "1 N/m"}),
     ):
         try:
             laboratory.check(scene.load("couplet", {"law": "linear", "confinement": "0.1 MPa", **knobs}))
-            said[least] = "it runs"
+            said[minimum] = "it runs"
         except SceneError as error:
-            said[least] = str(error)
+            said[minimum] = str(error)
     return claim("The proposed contact models have no capability to capture snap-back", "3",
                  "linear law, energies below (tau_max - tau_res)^2/(2 ks) = 5.76 and fT^2/(2 kn) = 1.12 N/m: refused, "
                  "naming it",
                  "; ".join(said.values()),
-                 all(f"above {least:g} N/m" in text for least, text in said.items()),
+                 all(f"above {minimum:g} N/m" in text for minimum, text in said.items()),
                  "an energy that is too small is not refused")  # fmt: skip

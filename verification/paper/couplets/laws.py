@@ -57,7 +57,7 @@ def records(done: Done) -> list[dict[str, Any]]:
 
 def capacity(done: Done) -> Claim:
     """Peaks against the Coulomb line of Table 1."""
-    off = {
+    errors = {
         (law, c): done.peak(name(law, c)) / float(joint(c).peak(s)) - 1.0
         for law in LAWS
         for c, s in CONFINEMENTS.items()
@@ -65,12 +65,12 @@ def capacity(done: Done) -> Claim:
     return claim("All three contact models estimate well the capacity", "4, Fig. 6",
                  f"peak within {STRENGTH:.0%} of c0 + sigma tan(phi0): 0.971 / 1.375 / 1.880 MPa",
                  by_law(lambda law, c: done.peak(name(law, c)) / 1e6) + " MPa",
-                 max(map(abs, off.values())) <= STRENGTH, "a peak is off")  # fmt: skip
+                 max(map(abs, errors.values())) <= STRENGTH, "a peak is off")  # fmt: skip
 
 
 def plateau(done: Done) -> Claim:
     """Final stresses against the residual strength, the difference in shares of the peak, as a figure shows it."""
-    off = {
+    errors = {
         (law, c): (done[name(law, c)].summary["final_stress_pa"] - float(joint(c).residual(s)))
         / float(joint(c).peak(s))
         for law in LAWS
@@ -80,16 +80,16 @@ def plateau(done: Done) -> Claim:
     return claim("All three contact models estimate well the residual plateau", "4, Fig. 6",
                  f"stress at 1 mm off sigma tan(phi_res), 0.073 / 0.365 / 0.730 MPa, by less than {PLATEAU:.0%} of the "
                  "peak",
-                 by_law(lambda law, c: 100.0 * off[law, c], "+.1f")
+                 by_law(lambda law, c: 100.0 * errors[law, c], "+.1f")
                  + " %. The polynomial tail is a power of the slip: under "
                  f"0.1 MPa it comes within {PLATEAU:.0%} of the plateau itself at {1e3 * slip:.2g} mm",
-                 max(map(abs, off.values())) <= PLATEAU, "a tail has not come down to it")  # fmt: skip
+                 max(map(abs, errors.values())) <= PLATEAU, "a tail has not come down to it")  # fmt: skip
 
 
-def slip_of_plateau(one: Joint, compression: float) -> float:
+def slip_of_plateau(joint: Joint, compression: float) -> float:
     """The slip (m) at which the polynomial law is within PLATEAU of the residual strength."""
     u = np.linspace(0.0, 10e-3, 100_001)
-    above = shear("polynomial", one, u, compression) > (1.0 + PLATEAU) * float(one.residual(compression))
+    above = shear("polynomial", joint, u, compression) > (1.0 + PLATEAU) * float(joint.residual(compression))
     return float(u[np.flatnonzero(above)[-1]])
 
 
@@ -139,11 +139,11 @@ def whole_beta(confinement: str) -> float:
 def nearest_beta(confinement: str) -> float:
     """The beta whose polynomial curve is nearest to the exponential one, least squares over slips up to 0.8 mm."""
     s, u = CONFINEMENTS[confinement], np.linspace(0.0, 0.8e-3, 2001)
-    wanted = shear("exponential", Joint(), u, s)
+    target = shear("exponential", Joint(), u, s)
     betas = np.arange(1.1, 8.0, 0.01)
 
     def miss(beta: float) -> float:
-        gap: Floats = shear("polynomial", Joint(beta=beta), u, s) - wanted
+        gap: Floats = shear("polynomial", Joint(beta=beta), u, s) - target
         return float(gap @ gap)
 
     return float(min(betas, key=miss))

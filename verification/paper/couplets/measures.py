@@ -55,10 +55,10 @@ def spread(values: Sequence[float]) -> float:
     return float(np.ptp(values) / np.mean(values))
 
 
-def apart(one: Result, other: Result) -> float:
+def apart(first: Result, second: Result) -> float:
     """The largest distance between two curves, in shares of the peak."""
-    u, tau = (one.history.rows[key] for key in ("displacement", "stress"))
-    v, sigma = (other.history.rows[key] for key in ("displacement", "stress"))
+    u, tau = (first.history.rows[key] for key in ("displacement", "stress"))
+    v, sigma = (second.history.rows[key] for key in ("displacement", "stress"))
     at = np.union1d(u, v)
     return float(np.abs(np.interp(at, u, tau) - np.interp(at, v, sigma)).max() / tau.max())
 
@@ -114,7 +114,7 @@ class Interfaces:
 def interfaces(result: Result) -> Interfaces:
     """How evenly the interfaces work at the peak, in the frame nearest to it."""
     at = result.summary["displacement_at_peak_m"]
-    frame = min(result.history.frames, key=lambda one: abs(one.displacement - at))
+    frame = min(result.history.frames, key=lambda candidate: abs(candidate.displacement - at))
     chosen = result.joint_group == result.joint_groups.index("unit_mortar")
     weight = result.joints.area[chosen] / result.joints.area[chosen].sum()
     normal = frame.normal_stress[chosen]

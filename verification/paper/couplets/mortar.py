@@ -90,12 +90,12 @@ def line(done: Done) -> Claim:
         for s in SIZES
         if len(known(done, s)) > 1
     }
-    off = {s: (c / Joint().c0 - 1.0, t / Joint().tan0 - 1.0) for s, (c, t) in values.items()}
+    errors = {s: (c / Joint().c0 - 1.0, t / Joint().tan0 - 1.0) for s, (c, t) in values.items()}
     return claim("The contact properties are those of the tests", "4, Table 2",
                  f"cohesion and tan(phi) of the line through the peaks within {CAPACITY:.0%} of 0.87 MPa and 1.01",
-                 "; ".join(f"{s} {c / 1e6:.3f} MPa ({off[s][0]:+.0%}), {t:.3f} ({off[s][1]:+.0%})"
+                 "; ".join(f"{s} {c / 1e6:.3f} MPa ({errors[s][0]:+.0%}), {t:.3f} ({errors[s][1]:+.0%})"
                      for s, (c, t) in values.items()),
-                 all(abs(v) <= CAPACITY for pair in off.values() for v in pair),
+                 all(abs(v) <= CAPACITY for pair in errors.values() for v in pair),
                  f"what a test measures is not what its joint has. {OTHERS}")  # fmt: skip
 
 
@@ -108,13 +108,13 @@ def plateau_of_law(rows: Rows, compression: float) -> float:
 def residual(done: Done) -> Claim:
     """The plateau against that of the joint that was fitted to the tests."""
     means = {s: [plateau(done[name(s, c)].history.rows) for c in known(done, s)] for s in SIZES}
-    wanted = {
+    expected = {
         s: [plateau_of_law(done[name(s, c)].history.rows, CONFINEMENTS[c]) for c in known(done, s)] for s in SIZES
     }
-    ratios = {s: [m / w for m, w in zip(means[s], wanted[s], strict=True)] for s in SIZES}
+    ratios = {s: [m / w for m, w in zip(means[s], expected[s], strict=True)] for s in SIZES}
     return claim("Good agreement of the meso-models with the tests in the residual plateau", "4, Fig. 7",
                  f"mean stress from 0.4 to 0.5 mm within {RESIDUAL:.0%} of that of the two blocks of Fig. 6 there, "
-                 f"{words(w / 1e6 for w in wanted['coarse'])} MPa",
+                 f"{words(w / 1e6 for w in expected['coarse'])} MPa",
                  "; ".join(f"{s} {words(m / 1e6 for m in means[s])} MPa ({words(ratios[s], '.2f')} of it)"
                      for s in SIZES) + other_plateaus(done),
                  all(abs(r - 1.0) <= RESIDUAL for values in ratios.values() for r in values),

@@ -106,28 +106,29 @@ def moments(done: Done) -> Claim:
     held = (MIDDLE, HIGH)
     peaks = [done.peak(HELD.format(c)) for c in held]
     cohesion, tangent = strength_line([CONFINEMENTS[c] for c in held], peaks)
-    off = cohesion / Joint().c0 - 1.0, tangent / Joint().tan0 - 1.0
+    errors = cohesion / Joint().c0 - 1.0, tangent / Joint().tan0 - 1.0
     finer = done.peak(FINER) / peaks[-1] - 1.0
     return claim("Where stress is not uniform, the moment along the joint leads to false characterisation", "4",
                  f"units held by their outer faces only: strength line more than {FALSE:.0%} off that of the joint",
                  f"peaks {words(p / 1e6 for p in peaks)} MPa at 0.5 and 1.0 MPa ({finer:+.1%} with half the mesh "
-                 f"size): cohesion {cohesion / 1e6:.3f} MPa ({off[0]:+.0%}), tan(phi) {tangent:.3f} ({off[1]:+.0%}). "
+                 f"size): cohesion {cohesion / 1e6:.3f} MPa ({errors[0]:+.0%}), tan(phi) {tangent:.3f} "
+                 f"({errors[1]:+.0%}). "
                  f"{OTHERS}",
-                 max(map(abs, off)) > FALSE, "the moment does not matter here")  # fmt: skip
+                 max(map(abs, errors)) > FALSE, "the moment does not matter here")  # fmt: skip
 
 
 def rates(done: Done) -> Claim:
     """The test's rate beside our pace and a fast drive."""
     peak = done.peak(PACED)
-    off = {label: done.peak(label) / peak - 1.0 for label in (SLOW, FAST)}
+    changes = {label: done.peak(label) / peak - 1.0 for label in (SLOW, FAST)}
     kinetic = {label: done[label].summary["kinetic_over_internal_max"] for label in (PACED, SLOW, FAST)}
     mismatch = {label: done[label].summary["reaction_mismatch_max"] for label in (PACED, SLOW, FAST)}
     steps = {label: done[label].summary["steps"] for label in (PACED, SLOW, FAST)}
     return claim("The upper block is moved at 0.1 mm/s", "4",
                  f"units between plates: peak within {STEADY:.0%} of the one paced by its error, kinetic energy < 1 % "
                  "of the internal one",
-                 f"peak {off[SLOW]:+.2%}, kinetic {kinetic[SLOW]:.1e}, ends differ by {mismatch[SLOW]:.1e} of the "
+                 f"peak {changes[SLOW]:+.2%}, kinetic {kinetic[SLOW]:.1e}, ends differ by {mismatch[SLOW]:.1e} of the "
                  f"peak, {steps[SLOW]} steps to 0.3 mm. Paced: kinetic {kinetic[PACED]:.1e}, ends "
-                 f"{mismatch[PACED]:.1e}, {steps[PACED]} steps to 1 mm. At 10 mm/s: peak {off[FAST]:+.1%}, kinetic "
+                 f"{mismatch[PACED]:.1e}, {steps[PACED]} steps to 1 mm. At 10 mm/s: peak {changes[FAST]:+.1%}, kinetic "
                  f"{kinetic[FAST]:.1e}, ends {mismatch[FAST]:.1e}",
-                 abs(off[SLOW]) <= STEADY and kinetic[SLOW] < 0.01, "the rate is felt")  # fmt: skip
+                 abs(changes[SLOW]) <= STEADY and kinetic[SLOW] < 0.01, "the rate is felt")  # fmt: skip

@@ -27,8 +27,8 @@ def bands(modes: Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]) -> Figur
             below.plot(peaks, fraction, "o-", color=colour, markersize=3, linewidth=0.9, label=f"{kind}, {len(peaks)}")
         above.plot(alone.drive * MILLI, alone.walls[0].stress * MEGA, "--", color="0.15", label="no scatter")
         below.axvline(alone.peaks[0] * MEGA, color="0.15", linestyle="--", label="no scatter")
-        for one in (above, below):
-            one.legend(frameon=False, fontsize=8)
+        for ax in (above, below):
+            ax.legend(frameon=False, fontsize=8)
     return figure
 
 
@@ -37,9 +37,9 @@ def frequencies(modes: Mapping[str, tuple[Ensemble, Mapping[str, Ensemble]]]) ->
     kinds = next(iter(modes.values()))[1]
     figure, axes = sheet(len(modes), 1 + len(kinds), (10.0, 3.3 * len(modes)))
     for row, (mode, (alone, by_kind)) in zip(axes, modes.items(), strict=True):
-        for one, (kind, walls) in zip(row, {"no scatter": alone, **by_kind}.items(), strict=True):
-            painted = _paint(one, walls)
-            one.set_title(f"{mode}: {kind}", fontsize=9)
+        for ax, (kind, walls) in zip(row, {"no scatter": alone, **by_kind}.items(), strict=True):
+            painted = _paint(ax, walls)
+            ax.set_title(f"{mode}: {kind}", fontsize=9)
     figure.colorbar(painted, ax=axes, shrink=0.6, label="share of the walls in which it is broken at the end [1]")
     return figure
 

@@ -27,9 +27,9 @@ def each(modes: Modes) -> list[tuple[str, Ensemble, Ensemble]]:
 
 def told(modes: Modes, says: str, source: str, check: str, measured: str, holds: bool, why: str) -> Claim:
     """A claim, or where there are few walls (a quick look) one that cannot be decided."""
-    least = min(len(w.walls) for _, _, w in each(modes))
-    if least < FEW:
-        return claim(says, source, check, measured, None, f"{least} walls are too few to tell")
+    minimum = min(len(w.walls) for _, _, w in each(modes))
+    if minimum < FEW:
+        return claim(says, source, check, measured, None, f"{minimum} walls are too few to tell")
     return claim(says, source, check, measured, holds, why)
 
 

@@ -61,19 +61,19 @@ def divisions(quick: bool) -> list[Cells]:
 
 def show(done: Done) -> Section:
     """Curves of one seed and of the mean, peaks by size and seed, crack patterns."""
-    wanted = list(families(done.quick))
-    found = {family.name: gathered(done, family, divisions(done.quick)) for family in wanted}
+    selected = list(families(done.quick))
+    found = {family.name: gathered(done, family, divisions(done.quick)) for family in selected}
     panels = {
         f"Fig. 15{part}: {name}": mean_curves(found[name]) for part, name in zip("ab", (FIRST, SECOND), strict=True)
     }
-    seen = {c.label(f): done[c.label(f)] for f in wanted[:2] for c in (Cells(SIZES[0], 1), Cells(SIZES[-1], 1))}
+    seen = {c.label(f): done[c.label(f)] for f in selected[:2] for c in (Cells(SIZES[0], 1), Cells(SIZES[-1], 1))}
     parts = [
         page.paragraph(INTRODUCTION),
         page.picture(pictures.curves(panels), "Fig. 15, ours: means of all seeds."),
         page.picture(pictures.cracks(seen), "Fig. 16, ours: coarse and fine cells, seed 1, at the end.", pixels=True),
     ]
     if not done.quick:
-        many = {f"seed {c.seed}": done[c.label(wanted[1])] for c in divisions(False) if c.size == SIZES[0]}
+        many = {f"seed {c.seed}": done[c.label(selected[1])] for c in divisions(False) if c.size == SIZES[0]}
         caption = "Peaks by size and seed, and where cracks run in failure mode 2. Bars: means of the seeds."
         parts += [
             page.picture(peaks_figure(found), caption),

@@ -85,11 +85,18 @@ def portraits(done: Done) -> Figure:
 
 def misprint() -> Figure:
     """Cohesion left and friction by eq. (15), as printed and as mended."""
-    one, s, slip = joint("0.1 MPa"), 0.1e6, np.linspace(float(joint("0.1 MPa").peak(0.1e6)) / joint("0.1 MPa").ks, 1e-3)
-    shown, right = printed.intact_fraction(one, slip, s), printed.mended_fraction(one, slip, s)
-    mended = one.tan_res + right * (one.tan0 - one.tan_res)
+    properties, s, slip = (
+        joint("0.1 MPa"),
+        0.1e6,
+        np.linspace(float(joint("0.1 MPa").peak(0.1e6)) / joint("0.1 MPa").ks, 1e-3),
+    )
+    shown, right = printed.intact_fraction(properties, slip, s), printed.mended_fraction(properties, slip, s)
+    mended = properties.tan_res + right * (properties.tan0 - properties.tan_res)
     cohesion = [Line("as printed", slip * MILLI, shown), Line("as mended", slip * MILLI, right)]
-    friction = [Line("as printed", slip * MILLI, printed.friction(one, shown)), Line("as mended", slip * MILLI, mended)]
+    friction = [
+        Line("as printed", slip * MILLI, printed.friction(properties, shown)),
+        Line("as mended", slip * MILLI, mended),
+    ]
     return pictures.curves({"share of the cohesion left": cohesion, "tan(phi)": friction}, "slip [mm]", "[1]")
 
 

@@ -97,8 +97,8 @@ def show(done: Done) -> Section:
     return Section(parts, [*first_mode_claims(firsts), *second_mode_claims(seconds)])
 
 
-def _lines(results: dict[float, Result], one: float) -> list[pictures.Line]:
-    return [pictures.stress_line(f"{f * one:g} N/m", result) for f, result in results.items()]
+def _lines(results: dict[float, Result], unit: float) -> list[pictures.Line]:
+    return [pictures.stress_line(f"{f * unit:g} N/m", result) for f, result in results.items()]
 
 
 EXPERIMENT = Experiment("fracture-energies", "Fracture energies (Figs. 17 to 19)", 41, runs, show)

@@ -35,15 +35,15 @@ INTRODUCTION = (
 def variations(case: str, quick: bool) -> tuple[list[Variation], dict[str, str]]:
     """Variations of a scene, and what is not varied -> why. A quick look takes what needs no other step compiled."""
     given, without = assumed(case)
-    wanted = given if quick else [*given, *options(case)]
+    selected = given if quick else [*given, *options(case)]
     if case in DEAR or quick:
-        without |= {v.entry: "matters to deformable blocks or another law alone" for v in wanted if v.base}
-        wanted = [v for v in wanted if not v.base]
+        without |= {v.entry: "matters to deformable blocks or another law alone" for v in selected if v.base}
+        selected = [v for v in selected if not v.base]
     if case in DEAR:
-        spared = [v for v in wanted if v.entry.endswith(SPARED)]
+        spared = [v for v in selected if v.entry.endswith(SPARED)]
         without |= {v.entry: "hardly matters in the other scenes" for v in spared}
-        wanted = [v for v in wanted if v not in spared]
-    return wanted, without
+        selected = [v for v in selected if v not in spared]
+    return selected, without
 
 
 def pair(case: str, v: Variation) -> dict[str, Run]:
@@ -74,8 +74,8 @@ def show(done: Done) -> Section:
     made = Section([page.paragraph(INTRODUCTION)])
     largest: list[tuple[float, str]] = []
     for case in cases(done.quick):
-        wanted, without = variations(case, done.quick)
-        found = [(v, *change(case, v, done)) for v in wanted]
+        selected, without = variations(case, done.quick)
+        found = [(v, *change(case, v, done)) for v in selected]
         changed = [(v, changes) for v, changes, _ in found if changes]
         made.records += [record for _, _, records in found for record in records]
         largest += [(max(map(abs, c[::2])), f"{v.entry} in {case}") for v, c in changed if ACCURACY not in v.knobs]

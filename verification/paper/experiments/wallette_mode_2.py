@@ -82,16 +82,17 @@ def claims(done: Done, second: list[str]) -> list[Claim]:
 def softening_claim(second: Mapping[str, Result], first: Result) -> Claim:
     """How much steeper than mode 1 it falls; what is left far on depends on where dilation ends in mode 1."""
     half = {label: fall_to(r, 0.5) * MILLI for label, r in second.items()}
-    left = {label: left_after(r, 2.0) for label, r in second.items()}
+    remaining = {label: left_after(r, 2.0) for label, r in second.items()}
     before = fall_to(first, 0.5) * MILLI, left_after(first, 2.0)
     end = min(float(r.history.rows["displacement"][-1]) for r in second.values())
     late = {n: float(stress_at(r, end)) / r.summary["peak_stress_pa"] for n, r in {**second, FIRST: first}.items()}
     return claim("A completely different curve from the first failure mode: steep softening", "5.2, Fig. 13",
                  "falls to half the peak in < half the displacement of mode 1; at twice that of the peak less is left",
-                 f"{'; '.join(f'{n}: {half[n]:.3f} mm, {percent(left[n])}' for n in second)}; mode 1: {before[0]:.3f} "
-                 f"mm, {percent(before[1])}. Left at {end * MILLI:.1f} mm: "
+                 f"{'; '.join(f'{n}: {half[n]:.3f} mm, {percent(remaining[n])}' for n in second)}; mode 1: "
+                 f"{before[0]:.3f} mm, {percent(before[1])}. Left at {end * MILLI:.1f} mm: "
                  + ", ".join(f"{percent(fraction)} ({n})" for n, fraction in late.items()),
-                 max(half.values()) < 0.5 * before[0] and max(left.values()) < before[1], "not as steep")  # fmt: skip
+                 max(half.values()) < 0.5 * before[0] and max(remaining.values()) < before[1],
+                 "not as steep")  # fmt: skip
 
 
 def tension_claim(grid: Result, cells: Result) -> Claim:

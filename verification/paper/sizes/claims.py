@@ -92,17 +92,17 @@ def capacity_claim(families: Mapping[str, Results], name: str, quick: bool) -> C
 
 def coarse_claim(families: Mapping[str, Results]) -> Claim:
     """Coarse against fine cells: peak and energy."""
-    off = []
+    errors = []
     for name in (FIRST, SECOND):
         coarse, fine = families[name][SIZES[0]], families[name][SIZES[-1]]
         dissipated = [np.mean([energy_per_section(r)["fracture"] for r in results]) for results in (coarse, fine)]
         top = [np.mean([mpa(r) for r in results]) for results in (coarse, fine)]
-        off += [float(top[0] / top[1] - 1.0), float(dissipated[0] / dissipated[1] - 1.0)]
+        errors += [float(top[0] / top[1] - 1.0), float(dissipated[0] / dissipated[1] - 1.0)]
     return claim("Coarse blocks give enough accuracy", "6",
                  "218 against 540 cells: mean peak and fracture energy within 10 %",
-                 f"mode 1: {100 * off[0]:+.2g} % and {100 * off[1]:+.2g} %; mode 2: {100 * off[2]:+.2g} % and "
-                 f"{100 * off[3]:+.2g} %",
-                 max(abs(value) for value in off) < 0.1,
+                 f"mode 1: {100 * errors[0]:+.2g} % and {100 * errors[1]:+.2g} %; mode 2: {100 * errors[2]:+.2g} % and "
+                 f"{100 * errors[3]:+.2g} %",
+                 max(abs(value) for value in errors) < 0.1,
                  "cracks along coarse cells need more energy, because their faces are rougher")  # fmt: skip
 
 

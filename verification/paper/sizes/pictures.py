@@ -29,12 +29,12 @@ def peaks_figure(families: Mapping[str, Results]) -> Figure:
     """Peaks over the mean of their family, all on one scale, and where cracks are; a dot is a seed, a bar a size."""
     figure, axes = sheet(1, len(families) + 1, (12.0, 3.6))
     over_mean = {name: _over_mean(peaks(family)) for name, family in families.items()}
-    most = 1.1 * max(abs(v - 100.0) for groups in over_mean.values() for values in groups.values() for v in values)
-    for one, (name, family) in zip(axes.flat, families.items(), strict=False):
-        _dots(one, over_mean[name])
+    reach = 1.1 * max(abs(v - 100.0) for groups in over_mean.values() for values in groups.values() for v in values)
+    for ax, (name, family) in zip(axes.flat, families.items(), strict=False):
+        _dots(ax, over_mean[name])
         mean = float(np.mean([v for values in peaks(family).values() for v in values]))
-        one.set_title(name.replace(", ", ",\n") + f"\nmean {mean:.4f} MPa", fontsize=9)
-        one.set_ylim(100.0 - most, 100.0 + most)
+        ax.set_title(name.replace(", ", ",\n") + f"\nmean {mean:.4f} MPa", fontsize=9)
+        ax.set_ylim(100.0 - reach, 100.0 + reach)
     axes[0, 0].set_ylabel("peak over mean peak [%]")
     last = axes.flat[-1]
     second = list(families.values())[1]

@@ -85,13 +85,13 @@ def crack_spread(result: Result) -> float:
 
 def rate_claim(shipped: Result, constant: Result, source: str) -> Claim:
     """Whether the paper's constant rate is quasi-static, and how far it is from the accuracy shipped."""
-    moved, off = mpa(constant) / mpa(shipped) - 1.0, apart(constant, shipped)
+    moved, difference = mpa(constant) / mpa(shipped) - 1.0, apart(constant, shipped)
     ends, kinetic = (constant.summary[key] for key in ("reaction_mismatch_max", "kinetic_over_internal_max"))
     return claim("A rate of 1 mm/s, in quasi-static analyses", f"2.1, {source}",
                  f"by what each run here is held to: ends within {percent(MISMATCH)} of the peak, kinetic energy < "
                  f"{percent(KINETIC)} of the internal one",
                  f"ends {percent(ends)}, kinetic {percent(kinetic)}. Beside the accuracy shipped: peak "
-                 f"{100 * moved:+.2g} %, curve {percent(off)} of the peak apart on average",
+                 f"{100 * moved:+.2g} %, curve {percent(difference)} of the peak apart on average",
                  ends < MISMATCH and kinetic < KINETIC,
                  "the plate runs ahead of cracks that open fast, and its force is too high meanwhile")  # fmt: skip
 

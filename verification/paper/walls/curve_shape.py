@@ -42,11 +42,11 @@ def steepest_fall(result: Result, window: float) -> float:
     return float(fall[u + window <= u[-1]].max(initial=0.0) / result.summary["peak_stress_pa"])
 
 
-def apart(one: Result, other: Result, begin: float = 0.0, end: float = np.inf) -> float:
+def apart(first: Result, second: Result, begin: float = 0.0, end: float = np.inf) -> float:
     """Mean difference of two curves between two displacements (m), over the peak of the second."""
-    last = min(end, *(float(r.history.rows["displacement"][-1]) for r in (one, other)))
+    last = min(end, *(float(r.history.rows["displacement"][-1]) for r in (first, second)))
     u = np.linspace(begin, last, POINTS)
-    return float(np.abs(stress_at(one, u) - stress_at(other, u)).mean() / other.summary["peak_stress_pa"])
+    return float(np.abs(stress_at(first, u) - stress_at(second, u)).mean() / second.summary["peak_stress_pa"])
 
 
 def energy_per_section(result: Result) -> dict[str, float]:

@@ -55,11 +55,11 @@ def pattern_claim(result: Result) -> Claim:
 
 def units_claim(result: Result) -> Claim:
     """Units stay whole."""
-    most = max(float(f.damage[crack_path(result, f).unit].max()) for f in result.history.frames)
+    maximum = max(float(f.damage[crack_path(result, f).unit].max()) for f in result.history.frames)
     return claim("No damage is recorded in the bricks before or after the peak", "5.1",
                  "largest damage within units in any frame is 0",
-                 f"{most:.2g}",
-                 most == 0.0, "units are damaged")  # fmt: skip
+                 f"{maximum:.2g}",
+                 maximum == 0.0, "units are damaged")  # fmt: skip
 
 
 def residual_claims(shipped: Result, hinge: Result) -> list[Claim]:

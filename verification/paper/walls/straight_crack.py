@@ -31,7 +31,7 @@ def path_claims(results: Mapping[str, Result]) -> list[Claim]:
     """Course of the crack through joints and units, and its place in the units."""
     fractions = {label: crack_path(r).fractions() for label, r in results.items()}
     spread = {label: crack_spread(r) for label, r in results.items()}
-    off = {label: crack_path(r).off_mid_length() for label, r in results.items()}
+    distance = {label: crack_path(r).off_mid_length() for label, r in results.items()}
     return [
         claim("The cracks follow the head joints and the bricks", "5.2, Fig. 14",
               "broken: head joints > 0.4 and units > 0.25 of the section, bed joints < 0.15",
@@ -42,9 +42,9 @@ def path_claims(results: Mapping[str, Result]) -> list[Claim]:
         claim("Roughly through the mid-length of the brick", "5.2, Fig. 14",
               f"mean distance from it < a fifth of half a unit ({200 * HALF_UNIT:.0f} mm); spread < "
               f"{STRAIGHT * MILLI:.0f} mm",
-              "; ".join(f"{label}: {off[label] * MILLI:.0f} mm, crack at {where(r)} mm"
+              "; ".join(f"{label}: {distance[label] * MILLI:.0f} mm, crack at {where(r)} mm"
                   for label, r in results.items()),
-              max(off.values()) < 0.2 * HALF_UNIT and max(spread.values()) < STRAIGHT, "beside the middle"),
+              max(distance.values()) < 0.2 * HALF_UNIT and max(spread.values()) < STRAIGHT, "beside the middle"),
     ]  # fmt: skip
 
 

@@ -42,8 +42,8 @@ def bears(law: Compression, k: Array) -> Array:
     if law.kp is None:
         return law.fm * np.maximum(1.0 - 0.5 * k * law.fm / law.G_c, 0.0)
     initial, middle, last = law.fm / 3.0, law.fm / 2.0, law.fm / 10.0
-    share = np.minimum(k / law.kp, 1.0)
-    rising = initial + (law.fm - initial) * np.sqrt(np.maximum(share * (2.0 - share), 0.0))
+    ratio = np.minimum(k / law.kp, 1.0)
+    rising = initial + (law.fm - initial) * np.sqrt(np.maximum(ratio * (2.0 - ratio), 0.0))
     if np.isinf(law.G_c):
         return rising
     length = 75.0 / 67.0 * law.G_c / law.fm
@@ -56,13 +56,13 @@ def bears(law: Compression, k: Array) -> Array:
 
 def cut_off(law: Compression, kn: float, k: Array, pressed: Array) -> Array:
     """Closing (m) of the step that brings an elastic compression (Pa) back to the strength left after it."""
-    beyond = pressed > bears(law, k)
+    yielding = pressed > bears(law, k)
 
     def excess(closing: Array) -> Array:
         return pressed - kn * closing - bears(law, k + closing)
 
-    most = np.where(beyond, pressed / kn, 0.0)
-    return np.where(beyond, root(excess, most, law.fm), 0.0)
+    maximum = np.where(yielding, pressed / kn, 0.0)
+    return np.where(yielding, root(excess, maximum, law.fm), 0.0)
 
 
 def cap(
@@ -88,35 +88,35 @@ def cap(
         weight = ks * css * multiplier
         elastic = size / (1.0 + weight)
         before, t = 0.9 * elastic, elastic
-        off_before, off = answer(p, size - weight * before) - before, answer(p, elastic) - elastic
-        slides = off < 0.0
+        error_before, error = answer(p, size - weight * before) - before, answer(p, elastic) - elastic
+        slides = error < 0.0
         for _ in range(SECANTS):
-            if np.all(np.abs(off[slides]) <= EXACT * size[slides]):
+            if np.all(np.abs(error[slides]) <= EXACT * size[slides]):
                 break
-            rise = np.where(off != off_before, off - off_before, np.inf)
-            change = np.where(slides, off * (t - before) / rise, 0.0)
+            rise = np.where(error != error_before, error - error_before, np.inf)
+            change = np.where(slides, error * (t - before) / rise, 0.0)
             before, t = t, np.where(slides, np.clip(t - change, 0.0, elastic), elastic)
-            off_before, off = off, answer(p, size - weight * t) - t
+            error_before, error = error, answer(p, size - weight * t) - t
         return np.maximum(p, 0.0), t
 
     def excess(multiplier: Array) -> Array:
         p, t = flow(multiplier)
         return np.sqrt(p**2 + css * t**2) - bears(law, k + multiplier * np.sqrt(p**2 + (css * t) ** 2))
 
-    beyond = excess(np.zeros_like(pressed)) > 0.0
-    if not beyond.any():
+    yielding = excess(np.zeros_like(pressed)) > 0.0
+    if not yielding.any():
         return np.zeros_like(pressed), np.zeros_like(pressed), np.zeros_like(pressed)
     trial = np.sqrt(np.maximum(pressed, 0.0) ** 2 + css * size**2)
     stiffness = min(kn, ks * css) if css > 0.0 else kn
-    multiplier = np.where(beyond, root(excess, np.where(beyond, trial / law.least / stiffness, 0.0), law.fm), 0.0)
+    multiplier = np.where(yielding, root(excess, np.where(yielding, trial / law.least / stiffness, 0.0), law.fm), 0.0)
     p, t = flow(multiplier)
     return multiplier * p, multiplier * css * t, multiplier * np.sqrt(p**2 + (css * t) ** 2)
 
 
-def root(function: Callable[[Array], Array], most: Array, size: float) -> Array:
-    """Where a function of each entry crosses 0 from above, between 0 and `most`: Ridders' method, up to the rounding of
-    a `size`."""
-    low, high = np.zeros_like(most), most.copy()
+def root(function: Callable[[Array], Array], upper: Array, size: float) -> Array:
+    """Where a function of each entry crosses 0 from above, between 0 and `upper`: Ridders' method, up to the rounding
+    of a `size`."""
+    low, high = np.zeros_like(upper), upper.copy()
     at_low, at_high = function(low), function(high)
     for _ in range(ROUNDS):
         middle = 0.5 * (low + high)

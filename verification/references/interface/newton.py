@@ -70,9 +70,9 @@ class EquilibriumPath:
         u[self.system.boundary] = self.state.q
         openings = [np.einsum("ni,ni->n", (j.jump @ u).reshape(-1, 3), j.normal) for j in self.model.joints]
         used = [e / j.law.opening_at_peak for e, j in zip(openings, self.model.joints, strict=True)]
-        most = min(1.0, max(float(e.max(initial=0.0)) for e in used))
+        maximum = min(1.0, max(float(e.max(initial=0.0)) for e in used))
         for joint, e, history in zip(self.model.joints, used, self.state.histories, strict=True):
-            softening_area = joint.weight * ((e >= 0.9 * most) & (history.tension > NEARLY_GONE))
+            softening_area = joint.weight * ((e >= 0.9 * maximum) & (history.tension > NEARLY_GONE))
             weights += joint.jump.T @ (softening_area[:, None] * joint.normal).ravel()
             area += softening_area.sum()
         self.row = self.system.row(weights / max(area, 1e-300))

@@ -53,9 +53,9 @@ def traction(law: Law, history: PointHistory, normal: Array, jump: Array) -> tup
     size = np.sqrt(np.einsum("...i,...i->...", trial, trial))
     closing, crushed_slip, hardening = crushed(law, history, e, size)
     e = e + closing
-    left = size - law.ks * crushed_slip
-    sigma, strength, widest, wn, ws = coulomb(law, history, e, left)
-    bears = np.minimum(strength, left)
+    shear_size = size - law.ks * crushed_slip
+    sigma, strength, widest, wn, ws = coulomb(law, history, e, shear_size)
+    bears = np.minimum(strength, shear_size)
     fraction = np.where(size > bears, bears / np.maximum(size, 1e-300), 1.0)
     tau = fraction[..., None] * trial
     slip = history.slip + (1.0 - fraction)[..., None] * trial / law.ks
@@ -94,9 +94,9 @@ def coulomb(law: Law, history: PointHistory, e: Array, size: Array) -> tuple[Arr
         past = (size - residual - history.shear * shared * (peak - residual)) / law.ks
         compression = np.maximum(-sigma, 0.0)
         so_far = slip_of_fraction(law, history.shear, peak, residual, compression)
-        left = shear_left(law, so_far + np.maximum(past, 0.0), peak, residual, compression)
+        shear_intact = shear_left(law, so_far + np.maximum(past, 0.0), peak, residual, compression)
         falls = (past > 0.0) & (peak > residual)
-        ws = np.where(falls, np.minimum(history.shear, left), history.shear)
+        ws = np.where(falls, np.minimum(history.shear, shear_intact), history.shear)
         if np.max(np.abs(ws - before), initial=0.0) < SETTLED:
             break
     sigma = normal_stress(law, widest, wn, ws, e)

@@ -221,48 +221,52 @@ def chapter(tell: Callable[[str], None], quick: bool = False, folder: Path = FOL
 
 
 def _verdict(failure: str, walls: Sequence[MeasuredWall], results: Sequence[WallForces]) -> tuple[str, str]:
-    off = {w.name: r.peak / w.mean - 1.0 for w, r in zip(walls, results, strict=True) if w.failure == failure}
+    errors = {w.name: r.peak / w.mean - 1.0 for w, r in zip(walls, results, strict=True) if w.failure == failure}
     sought = FLEXURE if failure == "flexure" else SHEAR
-    within, worst = [name for name in off if abs(off[name]) <= sought], max(off, key=lambda name: abs(off[name]))
-    sentence = (
-        f"{len(within)} of {len(off)} walls are within {page.percent(sought)} of the force measured, to which nothing "
-        f"is fitted; {worst} is off most, by {off[worst]:+.0%}. Twins of one test differ by {page.percent(TWINS)}."
+    within, worst = (
+        [name for name in errors if abs(errors[name]) <= sought],
+        max(errors, key=lambda name: abs(errors[name])),
     )
-    return "ok" if len(within) == len(off) else "warn", sentence
+    sentence = (
+        f"{len(within)} of {len(errors)} walls are within {page.percent(sought)} of the force measured, to which "
+        f"nothing is fitted; {worst} is off most, by {errors[worst]:+.0%}. "
+        f"Twins of one test differ by {page.percent(TWINS)}."
+    )
+    return "ok" if len(within) == len(errors) else "warn", sentence
 
 
 def _row(wall: MeasuredWall, result: WallForces) -> list[Any]:
-    off, (least, most) = result.peak / wall.mean - 1.0, result.reach
+    error, (minimum, maximum) = result.peak / wall.mean - 1.0, result.reach
     return [
         wall.name,
         wall.failure,
         ", ".join(f"{force:g}" for force in wall.measured),
         f"{result.peak:.1f}",
-        page.judged(f"{off:+.1%}", "none" if wall.failure == UNBALANCED else _kind(off, wall)),
-        f"{least:.1f} to {most:.1f}" if result.varied else "-",
+        page.judged(f"{error:+.1%}", "none" if wall.failure == UNBALANCED else _kind(error, wall)),
+        f"{minimum:.1f} to {maximum:.1f}" if result.varied else "-",
         page.TableCell(f"{wall.assumed}{'; ' if result.stopped else ''}{page.short(result.stopped)}", "text"),
     ]
 
 
-def _kind(off: float, wall: MeasuredWall) -> str:
-    return "ok" if abs(off) <= wall.sought else "warn"
+def _kind(error: float, wall: MeasuredWall) -> str:
+    return "ok" if abs(error) <= wall.sought else "warn"
 
 
 def _pictures(walls: Sequence[MeasuredWall], results: Sequence[WallForces]) -> list[str]:
     """Forces with their bars; what each parameter moves."""
     figure, axes = figures.sheet(1, 1, (10.0, 4.0))
-    one, place = axes[0, 0], np.arange(len(walls))
+    ax, place = axes[0, 0], np.arange(len(walls))
     mean = np.array([wall.mean for wall in walls])
     peak = np.array([result.peak for result in results]) / mean
     bars = np.array([result.reach for result in results]).T / mean
     spread = np.array([(min(wall.measured), max(wall.measured)) for wall in walls]).T / mean
-    one.bar(place, peak, 0.55, color="#4a90c2", label="computed; bar: all variations")
-    one.errorbar(place, peak, [peak - bars[0], bars[1] - peak], fmt="none", ecolor="0.2", capsize=4)
-    one.vlines(place + 0.36, *spread, color="#b5432a", linewidth=4.0, label="measured, to and fro")
-    one.axhspan(1.0 - TWINS, 1.0 + TWINS, color="0.9", zorder=0, label=f"twins of one test: {TWINS:.0%}")
-    one.set_xticks(place, [wall.name for wall in walls], fontsize=8)
-    one.set_ylabel("largest force over the mean measured")
-    one.legend(frameon=False, fontsize=8, loc="upper left")
+    ax.bar(place, peak, 0.55, color="#4a90c2", label="computed; bar: all variations")
+    ax.errorbar(place, peak, [peak - bars[0], bars[1] - peak], fmt="none", ecolor="0.2", capsize=4)
+    ax.vlines(place + 0.36, *spread, color="#b5432a", linewidth=4.0, label="measured, to and fro")
+    ax.axhspan(1.0 - TWINS, 1.0 + TWINS, color="0.9", zorder=0, label=f"twins of one test: {TWINS:.0%}")
+    ax.set_xticks(place, [wall.name for wall in walls], fontsize=8)
+    ax.set_ylabel("largest force over the mean measured")
+    ax.legend(frameon=False, fontsize=8, loc="upper left")
     tornado = [
         (wall.name, [[100.0 * change for change in result.changes(p)] or [0.0] for p in PARAMETERS])
         for wall, result in zip(walls, results, strict=True)
