@@ -115,7 +115,7 @@ def _require_no_snap_back(
         lack = factory.refusal(parameters, joint, compressions)
         if lack is not None:
             value = drawn.values[lack.key][j] if lack.key in drawn.values else properties.value(lack.key)
-            refused[j] = lack.least / value, value, lack
+            refused[j] = lack.bound / value, value, lack
     if not refused:
         return
     worst = max(refused, key=lambda j: refused[j][0])

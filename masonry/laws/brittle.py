@@ -6,7 +6,7 @@ from typing import NamedTuple
 class Brittle(NamedTuple):
     """Strength is lost at once. (The field keeps the tuple from being empty.)"""
 
-    left: float = 0.0
+    residual: float = 0.0
 
 
 PARAMETERS: dict[str, str] = {}
@@ -14,7 +14,7 @@ PARAMETERS: dict[str, str] = {}
 
 def tension_intact(parameters, joint, opening):
     """Nothing is left beyond the elastic limit, eq. (7)."""
-    return parameters.left
+    return parameters.residual
 
 
 def tension_area(parameters, joint, opening, intact):
@@ -24,4 +24,4 @@ def tension_area(parameters, joint, opening, intact):
 
 def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Only the residual is left beyond the peak, eq. (8)."""
-    return parameters.left
+    return parameters.residual

@@ -49,8 +49,8 @@ class Crush(NamedTuple):
 @register_jitable
 def strength_left(joint, hardening):
     """Compressive strength (Pa, above 0) after a plastic path of `hardening` (m)."""
-    share = share_left(joint.cap_shear_factor, joint.crushing_energy, joint, hardening)
-    return joint.compressive_strength * share
+    fraction = share_left(joint.cap_shear_factor, joint.crushing_energy, joint, hardening)
+    return joint.compressive_strength * fraction
 
 
 @register_jitable
@@ -66,18 +66,18 @@ def share_left(cap_shear_factor, crushing_energy, joint, hardening):
 @register_jitable
 def cap_left(joint, hardening):
     """A quarter of an ellipse up to the peak, a parabola down to the middle, and an exponential end."""
-    share, softens = filled(1.0, hardening), hardening > joint.closing_at_peak
+    fraction, softens = filled(1.0, hardening), hardening > joint.closing_at_peak
     if any_lane(unless(hardening >= 0.0, softens)):
         rise = minimum(hardening * (1.0 / joint.closing_at_peak), 1.0)
-        share = INITIAL + (1.0 - INITIAL) * sqrt(rise * (2.0 - rise))
+        fraction = INITIAL + (1.0 - INITIAL) * sqrt(rise * (2.0 - rise))
     if not any_lane(softens):
-        return share
-    beyond = (hardening - joint.closing_at_peak) * path_scale(joint)
-    fall = minimum(beyond, 1.0)
-    share = where(softens, 1.0 - (1.0 - MIDDLE) * fall * fall, share)
-    if not any_lane(beyond > 1.0):
-        return share
-    return where(beyond > 1.0, RESIDUAL + (MIDDLE - RESIDUAL) * exp(-TAIL * maximum(beyond - 1.0, 0.0)), share)
+        return fraction
+    excess = (hardening - joint.closing_at_peak) * path_scale(joint)
+    fall = minimum(excess, 1.0)
+    fraction = where(softens, 1.0 - (1.0 - MIDDLE) * fall * fall, fraction)
+    if not any_lane(excess > 1.0):
+        return fraction
+    return where(excess > 1.0, RESIDUAL + (MIDDLE - RESIDUAL) * exp(-TAIL * maximum(excess - 1.0, 0.0)), fraction)
 
 
 @register_jitable
@@ -100,14 +100,14 @@ def slope(cap_shear_factor, crushing_energy, joint, hardening, bears):
 @register_jitable
 def cap_slope(joint, hardening, bears):
     """The same of a cap."""
-    share, softens = bears * (1.0 / joint.compressive_strength), hardening > joint.closing_at_peak
+    fraction, softens = bears * (1.0 / joint.compressive_strength), hardening > joint.closing_at_peak
     rise = filled(0.0, bears)
     if any_lane(unless(hardening >= 0.0, softens)):
         per_peak = 1.0 / joint.closing_at_peak
         rise = (1.0 - INITIAL) * (1.0 - INITIAL) * per_peak * (1.0 - hardening * per_peak)
-        rise = rise / maximum(share - INITIAL, STEEPEST)
-    beyond = (hardening - joint.closing_at_peak) * path_scale(joint)
-    fall = path_scale(joint) * where(beyond < 1.0, 2.0 * (1.0 - MIDDLE) * beyond, TAIL * (share - RESIDUAL))
+        rise = rise / maximum(fraction - INITIAL, STEEPEST)
+    excess = (hardening - joint.closing_at_peak) * path_scale(joint)
+    fall = path_scale(joint) * where(excess < 1.0, 2.0 * (1.0 - MIDDLE) * excess, TAIL * (fraction - RESIDUAL))
     return joint.compressive_strength * where(softens, -fall, rise)
 
 
@@ -116,17 +116,17 @@ def refuse_crushing(joint: JointProperties) -> Refusal | None:
     if joint.compressive_strength is None or joint.crushing_energy is None:
         return None
     if joint.cap_shear_factor is None:
-        least = joint.compressive_strength**2 / (2.0 * joint.normal_stiffness)
+        bound = joint.compressive_strength**2 / (2.0 * joint.normal_stiffness)
         why = "the curve would snap back below compressive strength^2 / (2 normal stiffness)"
     else:
         stiffness = min(
             joint.normal_stiffness, joint.shear_stiffness if joint.cap_shear_factor else joint.normal_stiffness
         )
-        least = SOFTENING * joint.compressive_strength**2 / stiffness
+        bound = SOFTENING * joint.compressive_strength**2 / stiffness
         why = f"the cap would snap back below {SOFTENING:.4g} compressive strength^2 / (normal or shear stiffness)"
-    if joint.crushing_energy > least:
+    if joint.crushing_energy > bound:
         return None
-    return Refusal("fracture_energy_compression", least, "N/m", why)
+    return Refusal("fracture_energy_compression", bound, "N/m", why)
 
 
 @register_jitable
@@ -158,8 +158,8 @@ def crushed_to(joint, history, e, trial, tau, z):
     """State at a share z of the elastic normal stress `trial` (Pa): shear stress (Pa), and plastic closing and slip of
     the cap (m) in this step."""
     flexibility, rest = 1.0 / joint.normal_stiffness, 1.0 - z
-    left, slid = flow(joint.cap_shear_factor, joint, flexibility, strength(joint, history, e, z * trial), tau, z, rest)
-    return left, -rest * trial * flexibility, slid
+    shear, slid = flow(joint.cap_shear_factor, joint, flexibility, strength(joint, history, e, z * trial), tau, z, rest)
+    return shear, -rest * trial * flexibility, slid
 
 
 @register_jitable
@@ -169,27 +169,27 @@ def flow(cap_shear_factor, joint, flexibility, bears, tau, z, rest):
         return minimum(tau, bears), filled(0.0, z)
     eased = z + rest * (cap_shear_factor * joint.shear_stiffness * flexibility)
     inverse = 1.0 / (z * eased)
-    left = minimum(tau * z * z * inverse, bears)
-    return left, rest * left * eased * inverse * (cap_shear_factor * flexibility)
+    shear = minimum(tau * z * z * inverse, bears)
+    return shear, rest * shear * eased * inverse * (cap_shear_factor * flexibility)
 
 
 @register_jitable
 def excess_of(joint, history, hardening, e, trial, tau, z):
     """By how much (as `outside`) the point that `crushed_to` finds lies outside the cap."""
-    left, closed, slid = crushed_to(joint, history, e, trial, tau, z)
+    shear, closed, slid = crushed_to(joint, history, e, trial, tau, z)
     bears = strength_left(joint, hardening + length(joint.cap_shear_factor, closed, slid))
-    return outside(joint.cap_shear_factor, -z * trial, left * left, bears)
+    return outside(joint.cap_shear_factor, -z * trial, shear * shear, bears)
 
 
 @register_jitable
-def share_per_excess(cap_shear_factor, joint, history, hardening, e, trial, tau, left, bears):
+def share_per_excess(cap_shear_factor, joint, history, hardening, e, trial, tau, shear, bears):
     """By how much the share z falls for what lies outside (as `outside`), along the tangent at z = 1."""
     rise = slope(cap_shear_factor, joint.crushing_energy, joint, hardening, bears) * (1.0 / joint.normal_stiffness)
     if cap_shear_factor is None:
         return -1.0 / (trial * (1.0 + rise))
     per_share = tau * (cap_shear_factor * joint.shear_stiffness * (1.0 / joint.normal_stiffness))
-    per_share = where(tau > left, left - strength(joint, history, e, 0.0 * trial), per_share)
-    squared, sheared = trial * trial, cap_shear_factor * left
+    per_share = where(tau > shear, shear - strength(joint, history, e, 0.0 * trial), per_share)
+    squared, sheared = trial * trial, cap_shear_factor * shear
     return 0.5 / (squared + sheared * per_share + bears * rise * sqrt(squared + sheared * sheared))
 
 
@@ -203,13 +203,13 @@ def return_to_cap(joint, history, closing, hardening, bears, opening, sigma, tau
     `last_excess` is off by their ratio: so a further step along it leaves excess^2 / last_excess, and is not looked at.
     """
     e, trial = opening - or_zero(history.dilation, opening), minimum(sigma, 0.0)
-    left, near = minimum(tau, strength(joint, history, e, trial)), nearness(joint.cap_shear_factor, joint, bears)
-    excess = outside(joint.cap_shear_factor, -trial, left * left, bears)
+    shear, near = minimum(tau, strength(joint, history, e, trial)), nearness(joint.cap_shear_factor, joint, bears)
+    excess = outside(joint.cap_shear_factor, -trial, shear * shear, bears)
     crushes = excess > near
     if not any_lane(crushes):
         return Crush(opening, tau, closing, hardening, filled(0.0, opening))
     last, high, low = filled(1.0, e), filled(1.0, e), filled(LEAST, e)
-    per = share_per_excess(joint.cap_shear_factor, joint, history, hardening, e, trial, tau, left, bears)
+    per = share_per_excess(joint.cap_shear_factor, joint, history, hardening, e, trial, tau, shear, bears)
     z, searched = where(crushes, minimum(maximum(1.0 - excess * per, LEAST), 1.0), 1.0), crushes
     for _ in range(ROUNDS):
         last_excess = excess
@@ -223,9 +223,9 @@ def return_to_cap(joint, history, closing, hardening, bears, opening, sigma, tau
         last, further = z, z - excess * per
         z = where(searched, where((further > low) & (further < high), further, 0.5 * (low + high)), z)
     z = where(crushes, minimum(maximum(z - excess * per, LEAST), 1.0), 1.0)
-    left, closed, slid = crushed_to(joint, history, e, trial, tau, z)
+    shear, closed, slid = crushed_to(joint, history, e, trial, tau, z)
     was, sheared = before
-    work = 0.5 * (closed * (maximum(-was, 0.0) - z * trial) + slid * (sheared + left))
+    work = 0.5 * (closed * (maximum(-was, 0.0) - z * trial) + slid * (sheared + shear))
     path = length(joint.cap_shear_factor, closed, slid)
     return Crush(opening + closed, tau - joint.shear_stiffness * slid, closing + closed, hardening + path, work)
 

@@ -99,11 +99,11 @@ def dilation_increment(tan_dilation, joint, history, e, tau, whole, peak, residu
     to_touch = (e - touch) / tan_dilation
     closed = left_of(joint, history, whole, *coulomb(joint, history, touch, normal_stress(joint, history, touch)))
     slope = tan_res + whole * shared(joint.combined, history.intact_n) * (joint.tan_friction - tan_res)
-    beyond = tau - ks * to_touch - closed
-    slipped = to_touch + maximum(beyond, 0.0) / (ks + slope * joint.normal_stiffness * tan_dilation)
+    excess = tau - ks * to_touch - closed
+    slipped = to_touch + maximum(excess, 0.0) / (ks + slope * joint.normal_stiffness * tan_dilation)
     now = left_of(joint, history, whole, peak, residual)
     before_touch = to_touch * maximum(tau - now, 0.0) / (ks * to_touch + closed - now)
-    slipped = where((to_touch > 0.0) & (beyond <= 0.0), before_touch, slipped)
+    slipped = where((to_touch > 0.0) & (excess <= 0.0), before_touch, slipped)
     return tan_dilation * minimum(slipped, still_to_slip(history.permanent_opening, joint, history, e))
 
 
@@ -132,7 +132,7 @@ def cone_after(tan_dilation, joint, history, e, peak, residual):
     return coulomb(joint, history, e, normal_stress(joint, history, e))
 
 
-def caught(tan_dilation, joint, history, e, tau, left):
+def caught(tan_dilation, joint, history, e, tau, shear_strength):
     """Faces that stand open and that nothing holds: (history, opening, elastic shear stress, which of them float).
 
     Where they have come so far from where they lost touch that they meet, they rose for nothing until then, and what is
@@ -140,20 +140,20 @@ def caught(tan_dilation, joint, history, e, tau, left):
     """
     if tan_dilation is None:
         return history, e, tau, None
-    return _caught(joint, history, e, tau, left)
+    return _caught(joint, history, e, tau, shear_strength)
 
 
 @overload(caught)
-def _caught_if_it_dilates(tan_dilation, joint, history, e, tau, left):
+def _caught_if_it_dilates(tan_dilation, joint, history, e, tau, shear_strength):
     if isinstance(tan_dilation, types.NoneType):
-        return lambda tan_dilation, joint, history, e, tau, left: (history, e, tau, None)
-    return lambda tan_dilation, joint, history, e, tau, left: _caught(joint, history, e, tau, left)
+        return lambda tan_dilation, joint, history, e, tau, shear_strength: (history, e, tau, None)
+    return lambda tan_dilation, joint, history, e, tau, shear_strength: _caught(joint, history, e, tau, shear_strength)
 
 
 @register_jitable
-def _caught(joint, history, e, tau, left):
+def _caught(joint, history, e, tau, shear_strength):
     gap = gap_of(history.permanent_opening, e)
-    loose = (gap > 0.0) & (left <= 0.0) & (filled(joint.residual_cohesion, e) <= 0.0)
+    loose = (gap > 0.0) & (shear_strength <= 0.0) & (filled(joint.residual_cohesion, e) <= 0.0)
     free = gap / joint.tan_dilation
     room = still_to_slip(history.permanent_opening, joint, history, e)
     meets = loose & (free < minimum(tau / joint.shear_stiffness, room))
@@ -237,10 +237,14 @@ def _spent(before, joint, history, whole_tau, met, slipped, rise, first, last):
 @register_jitable
 def _spent_rising(before, joint, history, whole_tau, met, slipped, rise, first, last):
     (started, residual, sigma), (yielded, remains, lifted) = first, last
-    peak, least = coulomb(joint, history, before / joint.normal_stiffness, before)
-    bore = left_of(joint, history, history.intact_s, peak, least)
+    peak, residual_now = coulomb(joint, history, before / joint.normal_stiffness, before)
+    bore = left_of(joint, history, history.intact_s, peak, residual_now)
     slid = (before < 0.0) & (bore <= whole_tau * (1.0 + SAME))
-    started, residual, sigma = where(slid, bore, started), where(slid, least, residual), where(slid, before, sigma)
+    started, residual, sigma = (
+        where(slid, bore, started),
+        where(slid, residual_now, residual),
+        where(slid, before, sigma),
+    )
     free = where(slid & (slipped > 0.0), met / joint.shear_stiffness, 0.0)
     mode_2 = slipped * 0.5 * (started - residual + yielded - remains)
     friction = (slipped + free) * 0.5 * (residual + remains)
@@ -252,5 +256,5 @@ def in_springs(tan_dilation, joint, history, e, tau_squared):
     """Square of the shear stress (Pa2) that springs hold: what floats is off its springs."""
     if tan_dilation is None:
         return tau_squared
-    most = strength(joint, history, e, normal_stress(joint, history, e))
-    return minimum(tau_squared, most * most)
+    shear_strength = strength(joint, history, e, normal_stress(joint, history, e))
+    return minimum(tau_squared, shear_strength * shear_strength)

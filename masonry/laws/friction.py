@@ -14,7 +14,7 @@ from masonry.simd import any_lane, filled, maximum, minimum, where
 class Friction(NamedTuple):
     """No strength, no energies. (The field keeps the tuple from being empty.)"""
 
-    left: float = 0.0
+    residual: float = 0.0
 
 
 STRENGTHS = ("tan_friction",)
@@ -23,24 +23,24 @@ PARAMETERS: dict[str, str] = {}
 
 def tension_intact(parameters, joint, opening):
     """There is no strength."""
-    return parameters.left
+    return parameters.residual
 
 
 def tension_area(parameters, joint, opening, intact):
     """It takes no work to open."""
-    return parameters.left
+    return parameters.residual
 
 
 def shear_intact(parameters, joint, intact, slip, peak, residual, compression):
     """Nothing beyond friction."""
-    return parameters.left
+    return parameters.residual
 
 
 def elastic_trial(parameters, joint, history, opening, tau_squared):
     """Eq. (5) in compression; the answer stands where the contact neither slides nor opens further."""
     sigma = joint.normal_stiffness * minimum(opening, 0.0)
-    most = joint.tan_friction * sigma
-    return sigma, (tau_squared <= most * most) & (opening <= history.opening_max)
+    shear_strength = joint.tan_friction * sigma
+    return sigma, (tau_squared <= shear_strength * shear_strength) & (opening <= history.opening_max)
 
 
 def return_mapping(parameters, joint, history, opening, total, tau):

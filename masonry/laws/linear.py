@@ -26,10 +26,10 @@ WHY_IN_SHEAR = "the curve would snap back below (peak - residual shear strength)
 
 def refuse(parameters, joint, compressions):
     """Snap-back, G_I <= fT^2/(2 kn) or ul <= us0: a Refusal or None."""
-    least = joint.tensile_strength**2 / (2.0 * joint.normal_stiffness)
-    if joint.tensile_strength > 0.0 and least >= parameters.G_I:
+    bound = joint.tensile_strength**2 / (2.0 * joint.normal_stiffness)
+    if joint.tensile_strength > 0.0 and bound >= parameters.G_I:
         why = "the curve would snap back below tensile strength^2 / (2 normal stiffness)"
-        return Refusal("fracture_energy_mode_1", least, "N/m", why)
+        return Refusal("fracture_energy_mode_1", bound, "N/m", why)
     return refuse_in_shear(parameters, joint, compressions)
 
 

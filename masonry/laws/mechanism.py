@@ -20,9 +20,9 @@ def return_mapping(parameters, joint, history, opening, total, tau, before=None)
     before  Pa, the normal stress that acted until now, of contacts that dilate; a law of its own mechanism has no use
             for it
     """
-    own = beside(type(parameters), "return_mapping")
-    if own is not None:
-        return own(parameters, joint, history, opening, total, tau)
+    override = beside(type(parameters), "return_mapping")
+    if override is not None:
+        return override(parameters, joint, history, opening, total, tau)
     return softening.return_mapping(parameters, joint, history, opening, total, tau, before)
 
 
@@ -38,11 +38,11 @@ def _elastic_trial(parameters, joint, history, opening, tau_squared):
 
 @overload(return_mapping, strict=False)
 def _return_mapping(parameters, joint, history, opening, total, tau, before=None):
-    own = beside(parameters.instance_class, "return_mapping")
-    if own is None:
+    override = beside(parameters.instance_class, "return_mapping")
+    if override is None:
         return softening.return_mapping
-    own = register_jitable(own)
-    return lambda parameters, joint, history, opening, total, tau, before=None: own(
+    override = register_jitable(override)
+    return lambda parameters, joint, history, opening, total, tau, before=None: override(
         parameters, joint, history, opening, total, tau
     )
 

@@ -13,20 +13,20 @@ class Refusal(NamedTuple):
     """Value that a law refuses: the scene's key, the value (SI) that it must be above, its unit, and why."""
 
     key: str
-    least: float
+    bound: float
     unit: str
     why: str
 
     @property
     def wanted(self) -> str:
         """The least value with its unit."""
-        return f"{self.least:.6g} {self.unit}".rstrip()
+        return f"{self.bound:.6g} {self.unit}".rstrip()
 
 
 def least_mode_2_energy(parameters, joint, compression, intact=1.0):
     """The least energy (N/m) of a law at a compression (Pa) and a share left (numbers or arrays), or None for any."""
-    own = beside(type(parameters), "least_mode_2_energy")
-    return None if own is None else own(parameters, joint, compression, intact)
+    override = beside(type(parameters), "least_mode_2_energy")
+    return None if override is None else override(parameters, joint, compression, intact)
 
 
 def given_mode_2_energy(parameters, compression):
@@ -42,13 +42,13 @@ def lost_in_shear(joint, compression):
 
 def refuse_in_shear(parameters, joint, compressions):
     """The refusal where the energy is too small at one of the compressions, or None."""
-    most = None
+    maximum = None
     for compression in compressions:
-        least = least_mode_2_energy(parameters, joint, compression)
-        if least and given_mode_2_energy(parameters, compression) <= least:
-            wanted = least - (parameters.G_II_slope or 0.0) * compression, compression
-            most = wanted if most is None else max(most, wanted)
-    if most is None:
+        bound = least_mode_2_energy(parameters, joint, compression)
+        if bound and given_mode_2_energy(parameters, compression) <= bound:
+            required = bound - (parameters.G_II_slope or 0.0) * compression, compression
+            maximum = required if maximum is None else max(maximum, required)
+    if maximum is None:
         return None
     why = beside(type(parameters), "WHY_IN_SHEAR")
-    return Refusal("fracture_energy_mode_2", most[0], "N/m", f"{why}, at a compression of {most[1]:g} Pa")
+    return Refusal("fracture_energy_mode_2", maximum[0], "N/m", f"{why}, at a compression of {maximum[1]:g} Pa")

@@ -32,8 +32,8 @@ def elastic_trial(parameters, joint, history, opening, tau_squared):
     """(sigma, whether the elastic answer stands): the contact neither opens further, nor tears, nor slips."""
     e = opening - or_zero(history.dilation, opening)
     sigma = normal_stress(joint, history, e)
-    most = strength(joint, history, e, sigma)
-    within = (tau_squared <= most * most) & (sigma <= tensile_limit(joint, history))
+    shear_strength = strength(joint, history, e, sigma)
+    within = (tau_squared <= shear_strength * shear_strength) & (sigma <= tensile_limit(joint, history))
     return sigma, within & (e <= history.opening_max)
 
 
@@ -43,9 +43,9 @@ def return_mapping(parameters, joint, history, opening, total, tau, before=None)
     torn, mode_1 = tear(parameters, joint, history, e)
     sigma = normal_stress(joint, torn, e)
     peak, residual = coulomb(joint, torn, e, sigma)
-    left, whole_tau = left_of(joint, torn, torn.intact_s, peak, residual), tau
-    torn, e, tau, floats = caught(joint.tan_dilation, joint, torn, e, tau, left)
-    slides = tau > left
+    shear_strength, whole_tau = left_of(joint, torn, torn.intact_s, peak, residual), tau
+    torn, e, tau, floats = caught(joint.tan_dilation, joint, torn, e, tau, shear_strength)
+    slides = tau > shear_strength
     if not any_lane(slides):
         fraction = where(tau < whole_tau, tau / whole_tau, 1.0)
         return answer(floats, sigma, fraction, torn, mode_1, filled(0.0, e), filled(0.0, e))
@@ -84,26 +84,26 @@ def tear(parameters, joint, history, e):
     opens = e > history.opening_max
     if not any_lane(opens):
         return stay_open(history.permanent_opening, joint, history, e, held)
-    widest, left = where(opens, e, history.opening_max), where(opens, 0.0, history.intact_n)
+    widest, intact = where(opens, e, history.opening_max), where(opens, 0.0, history.intact_n)
     if any_lane(joint.tensile_strength > 0.0):
-        left = minimum(history.intact_n, where(opens, tension_intact(parameters, joint, widest), history.intact_n))
+        intact = minimum(history.intact_n, where(opens, tension_intact(parameters, joint, widest), history.intact_n))
     others = history.intact_s, history.dilation, history.permanent_opening, history.plastic_slip
-    torn = history_with_secant(joint, widest, left, *others)
+    torn = history_with_secant(joint, widest, intact, *others)
     torn, energy = stay_open(history.permanent_opening, joint, torn, e, held)
     if any_lane(joint.tensile_strength > 0.0):
-        gained = envelope_energy(history.permanent_opening, parameters, joint, history, widest, left)
+        gained = envelope_energy(history.permanent_opening, parameters, joint, history, widest, intact)
         energy += where(opens, gained, 0.0)
     return torn, energy
 
 
 @register_jitable
-def envelope_energy(permanent_opening, parameters, joint, history, e, left):
+def envelope_energy(permanent_opening, parameters, joint, history, e, intact):
     """Secant unloading: area under the envelope between two openings less what the secants give back."""
     if permanent_opening is not None:
         return filled(0.0, e)
-    gained = tension_area(parameters, joint, e, left)
+    gained = tension_area(parameters, joint, e, intact)
     gained -= tension_area(parameters, joint, history.opening_max, history.intact_n)
-    gained -= 0.5 * joint.tensile_strength * (left * e - history.intact_n * history.opening_max)
+    gained -= 0.5 * joint.tensile_strength * (intact * e - history.intact_n * history.opening_max)
     return shared(joint.combined, history.intact_s) * gained
 
 
@@ -156,8 +156,8 @@ def strength_over(permanent_opening, intact, joint):
 @register_jitable
 def softened(parameters, joint, history, slip, peak, residual, sigma):
     """Share of the shear strength above the residual that is left after a slip (m) of this step; it only falls."""
-    left = shear_intact(parameters, joint, history.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
-    return where((slip > 0.0) & (peak > residual), minimum(history.intact_s, left), history.intact_s)
+    intact = shear_intact(parameters, joint, history.intact_s, slip, peak, residual, maximum(-sigma, 0.0))
+    return where((slip > 0.0) & (peak > residual), minimum(history.intact_s, intact), history.intact_s)
 
 
 @register_jitable
@@ -181,8 +181,8 @@ def total_slip_increment(tan_dilation, parameters, joint, history, e, sigma, tau
     if tan_dilation is None:
         return slip
     for _ in range(ROUNDS):
-        left = softened(parameters, joint, history, slip, peak, residual, sigma)
-        _, top, last = pressed(joint, history, e, tau, left, peak, residual)
+        intact = softened(parameters, joint, history, slip, peak, residual, sigma)
+        _, top, last = pressed(joint, history, e, tau, intact, peak, residual)
         slip = maximum(tau - left_of(joint, history, whole, top, last), 0.0) / ks
     return slip
 
@@ -194,15 +194,15 @@ def plastic_slip_increment(parameters, joint, history, e, sigma, tau, peak, resi
     Solved by secants, exactly where the strength falls along a line. Taken from before the step, it would lag behind.
     """
     ks = joint.shear_stiffness
-    most = maximum(tau - residual, 0.0) / ks
-    before = slip = wanted = filled(0.0, tau)
+    bound = maximum(tau - residual, 0.0) / ks
+    before = slip = target = filled(0.0, tau)
     for _ in range(SECANTS):
-        left = softened(parameters, joint, history, slip, peak, residual, sigma)
-        _, top, last = pressed(joint, history, e, tau, left, peak, residual)
-        wanted, was = maximum(tau - left_of(joint, history, left, top, last), 0.0) / ks, wanted
+        intact = softened(parameters, joint, history, slip, peak, residual, sigma)
+        _, top, last = pressed(joint, history, e, tau, intact, peak, residual)
+        target, was = maximum(tau - left_of(joint, history, intact, top, last), 0.0) / ks, target
         further = slip - before
-        rise = where(abs(further) > 0.0, (wanted - was) / further, 0.0)
-        before, slip = slip, minimum(slip + (wanted - slip) / maximum(1.0 - rise, LEAST_SLOPE), most)
+        rise = where(abs(further) > 0.0, (target - was) / further, 0.0)
+        before, slip = slip, minimum(slip + (target - slip) / maximum(1.0 - rise, LEAST_SLOPE), bound)
     return slip
 
 

@@ -36,14 +36,14 @@ def plugin(group: str, name: str, what: str) -> Plugin | None:
     """The entry point of that name, or None; SceneError where two packages bring one. `what` it is: "law"."""
     entries = plugins(group).get(name, ())
     if len(entries) > 1:
-        who = " and ".join(one.origin for one in entries)
+        who = " and ".join(entry.origin for entry in entries)
         raise SceneError(f"{what} '{name}' is brought by {who}: uninstall one of them")
     return entries[0] if entries else None
 
 
-def load(one: Plugin, what: str) -> Any:
+def load(entry: Plugin, what: str) -> Any:
     """The module or function that an entry point stands for. Raises SceneError with one message for whatever fails."""
-    module, _, attribute = (part.strip() for part in one.target.partition(":"))
+    module, _, attribute = (part.strip() for part in entry.target.partition(":"))
     try:
         loaded = importlib.import_module(module)
         return getattr(loaded, attribute) if attribute else loaded
@@ -55,7 +55,7 @@ def load(one: Plugin, what: str) -> Any:
             else f" ({place.filename}, line {place.lineno})"
         )
         raise SceneError(
-            f"{what} '{one.name}' of {one.origin} cannot be loaded: {type(error).__name__}: {error}{where}"
+            f"{what} '{entry.name}' of {entry.origin} cannot be loaded: {type(error).__name__}: {error}{where}"
         ) from None
 
 

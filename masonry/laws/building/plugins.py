@@ -96,16 +96,16 @@ def _has_mechanism(module: ModuleType) -> bool:
 def _require_function(where: str, module: ModuleType, name: str, words: tuple[str, ...]) -> None:
     function = getattr(module, name, None)
     function = getattr(function, "py_func", function)
-    wanted = f"{name}({', '.join(words)})"
+    signature = f"{name}({', '.join(words)})"
     if not inspect.isfunction(function):
-        raise SceneError(f"{where}: {module.__name__} has no function {wanted}")
+        raise SceneError(f"{where}: {module.__name__} has no function {signature}")
     given = tuple(inspect.signature(function).parameters)
     if name == "shear_intact" and len(given) == len(BY_TOTAL_SLIP):
         words = BY_TOTAL_SLIP
     misplaced = any(word in words and word != there for word, there in zip(given, words, strict=False))
     if len(given) != len(words) or misplaced:
         raise SceneError(
-            f"{where}: {name}({', '.join(given)}) must be {wanted}, in this order; other names may be chosen"
+            f"{where}: {name}({', '.join(given)}) must be {signature}, in this order; other names may be chosen"
         )
 
 
