@@ -75,7 +75,7 @@ def limit(findings: Findings) -> None:
     accepted = least_accepted("linear", "fracture_energy_mode_2", 580.0, fracture_energy_mode_2_slope=0.0)
     compression, energy = 20e6, {"fracture_energy_mode_2": 1.01 * least, "fracture_energy_mode_2_slope": 0.0}
     top = JOINT.c0 + compression * JOINT.tan0
-    beyond = slid("linear", compression, top / JOINT.ks, 2e-3, most=1e-6, **energy)
+    beyond = slid("linear", compression, top / JOINT.ks, 2e-3, step=1e-6, **energy)
     tolerance = Tolerance(1e-13, 1e-15, "bisection of a comparison: rounding")
     findings.check("least energy that is accepted", "N/m", accepted, least, tolerance)
     tolerance = Tolerance(1e-12, 1e-14, "strength never grows: rounding")

@@ -94,7 +94,7 @@ def brittle() -> Findings:
     envelope(findings, "brittle")
     cycle(findings, "brittle")
     for most in (1.0 * UM, 0.01 * UM):
-        broken = opened("brittle", PEAK, BROKEN, most=most)
+        broken = opened("brittle", PEAK, BROKEN, step=most)
         du = (BROKEN - PEAK) / -(-(BROKEN - PEAK) // most)
         tolerance = Tolerance(1e-12, 1e-14, "a closed area at any step: rounding")
         value = broken.dissipated[-1]
