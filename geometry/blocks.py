@@ -7,9 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-
-class GeometryError(ValueError):
-    """A specimen that cannot be built; the message says what, where and what would work."""
+from geometry.errors import GeometryError as GeometryError
 
 
 @dataclass(frozen=True)

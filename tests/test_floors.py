@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 OURS = ("geometry", "masonry", "verification", "tests", "benchmarks")
 FLOORS = (
-    *("geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.child_python"),
+    *("geometry.errors", "geometry.blocks", "geometry.checks", "geometry.jit_cache", "geometry.child_python"),
     "geometry.operating_system",
     *("geometry.polyhedra", "geometry.cells"),
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),

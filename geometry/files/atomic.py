@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import TracebackType
 
-from geometry.blocks import GeometryError
+from geometry.errors import GeometryError
 from geometry.operating_system import SYSTEM
 
 LONGEST_NAME = 48

@@ -18,6 +18,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from geometry.errors import GeometryError
 from geometry.operating_system import SYSTEM
 from masonry import __version__
 from masonry.cli.commands import scene_commands
@@ -159,7 +160,7 @@ def main(arguments: list[str] | None = None) -> int:
         return code
     except SceneError as error:
         return complain(error.lines, USAGE)
-    except _geometry_error() as error:
+    except GeometryError as error:
         return complain(str(error), USAGE)
     except Stopped as error:
         return complain(str(error), STOPPED)
@@ -190,13 +191,6 @@ def _tell_where_nothing_is_kept() -> None:
             f"compiled code is not kept, so each command compiles it again: {why}; set MASONRY_CACHE to another folder",
             OK,
         )
-
-
-def _geometry_error() -> type[Exception]:
-    """Looked up when there is an error: it brings numpy with it."""
-    from geometry.blocks import GeometryError
-
-    return GeometryError
 
 
 def _act(arguments: list[str] | None) -> int:

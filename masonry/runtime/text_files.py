@@ -11,7 +11,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from geometry.blocks import GeometryError
+from geometry.errors import GeometryError
 from geometry.files.atomic import require_file
 from masonry.errors import SceneError
 

@@ -31,16 +31,16 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry import scene
-    from masonry.limit_analysis.analysis import LimitSettings, analyse
-    from masonry.limit_analysis.expected import LimitProgress
-    from masonry.quantity import parse
-
     words = parser().parse_args(arguments)
     if not -1e9 <= words.at <= 1e9:
         raise SceneError(f"--at {words.at}: a number from -1e9 to 1e9")
     if words.linear is not None and not 3 <= words.linear <= 1000:
         raise SceneError(f"--linear {words.linear}: a number of sides from 3 to 1000")
+    from masonry import scene
+    from masonry.limit_analysis.analysis import LimitSettings, analyse
+    from masonry.limit_analysis.expected import LimitProgress
+    from masonry.quantity import parse
+
     crushing = None if words.crushing is None else parse(words.crushing, "stress", "--crushing", "(0, 1e15]")
     wishes = LimitSettings(
         dilation=not words.no_dilation, strength=not words.no_strength, safety=words.safety, at=words.at,

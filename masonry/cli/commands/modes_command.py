@@ -28,11 +28,11 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    words = parser().parse_args(arguments)
     from masonry import scene
     from masonry.modal_analysis.vibration import ModesSettings, analyse
     from masonry.quantity import parse
 
-    words = parser().parse_args(arguments)
     between = None if words.between is None else (words.between[0], words.between[1])
     wishes = ModesSettings(words.modes, words.pressed, parse(words.ratio, "number", "--ratio"), between)
     wishes.require_sense()

@@ -31,11 +31,11 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    words = parser().parse_args(arguments)
     from masonry.laboratory.result import load_result
     from masonry.movies.movie_file import write_movie
     from masonry.runtime.progress import Progress
 
-    words = parser().parse_args(arguments)
     result, to = load_result(words.folder), words.to or words.folder / "movie.gif"
     require_free(to, words.overwrite)
     with Progress(label="movie") as progress:

@@ -4,7 +4,6 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from masonry.curves.made_record_files import made_records, require_csv, table_of, write_records
 from masonry.errors import SceneError
 from masonry.runtime.named_file import require_free, require_picture
 from masonry.runtime.shell import OK, Parser
@@ -28,6 +27,8 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message."""
     words = parser().parse_args(arguments)
+    from masonry.curves.made_record_files import made_records, require_csv, table_of, write_records
+
     plot = None if words.plot is None else Path(words.plot or words.file.with_suffix(".png"))
     if plot is not None:
         require_picture(plot, "--plot")

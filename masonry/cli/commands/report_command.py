@@ -23,10 +23,10 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
+    words = parser().parse_args(arguments)
     from masonry.laboratory.result import load_result
     from masonry.reporting.run_report import write_report
 
-    words = parser().parse_args(arguments)
     result, out = load_result(words.folder), words.out or words.folder / "report.html"
     print(visible(f"{write_report(result, out, words.overwrite)}"))
     return OK

@@ -5,8 +5,6 @@ Exit codes: 0 written, 2 something wrong with the words or the folder; nothing i
 
 from pathlib import Path
 
-import numpy as np
-
 from masonry.errors import SceneError
 from masonry.runtime.shell import OK, Parser, add_format
 
@@ -42,7 +40,7 @@ def main(arguments: list[str] | None = None) -> int:
         files.text("spectrum.csv", spectra_csv(spectra))
         write_picture(spectra_figure(result, spectra), files.new(f"spectrum.{words.format}"))
     for name, answers, shortest in spectra:
-        most = int(np.argmax(answers.pseudo_acceleration))
+        most = int(answers.pseudo_acceleration.argmax())
         print(
             f"{name}: {answers.pseudo_acceleration[most] / GRAVITY:.3g} g at most, at {answers.periods[most]:.3g} s; "
             f"rows show periods from {shortest:.2g} s on"

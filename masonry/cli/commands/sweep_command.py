@@ -12,8 +12,6 @@ from masonry.errors import SceneError
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, Parser, add_format, complain, tell
-from masonry.sweeps.read import read
-from masonry.sweeps.work import OK as DONE
 
 EPILOG = "What a sweep file holds, with three to copy: docs/sweep.md; the keys of a scene: docs/scene.md."
 
@@ -40,12 +38,14 @@ def parser() -> Parser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
-    from masonry.sweeps.planned_runs import listing
-    from masonry.sweeps.sweep_run import Running, planned_of, run_sweep
-
     words = parser().parse_args(arguments)
     if words.workers < 0:
         raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
+    from masonry.sweeps.planned_runs import listing
+    from masonry.sweeps.read import read
+    from masonry.sweeps.sweep_run import Running, planned_of, run_sweep
+    from masonry.sweeps.work import OK as DONE
+
     sweep = read(words.sweep)
     if words.list:
         print(listing(planned_of(sweep)[1]))
