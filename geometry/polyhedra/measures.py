@@ -1,5 +1,7 @@
 """Volumes, centroids and second moments of blocks, exact for any polyhedron with planar faces (sums of signed tets)."""
 
+from math import acos, degrees
+
 import numpy as np
 
 from geometry.blocks import Blocks
@@ -111,3 +113,21 @@ def edges_by_place(blocks: Blocks) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     place = np.round(blocks.points[blocks.face_points] / (SAME_PLACE * extent(blocks))).astype(np.int64)
     corner = np.unique(place, axis=0, return_inverse=True)[1].ravel()
     return face, other, np.sort(np.column_stack([corner, corner[other]]), axis=1)
+
+
+def sharpest_edge(blocks: Blocks, which: np.ndarray) -> tuple[int, float]:
+    """The block, of those in which (B,), with the sharpest edge that sticks out, and the angle there in degrees."""
+    _, normal, centre = face_areas_normals_centroids(blocks)
+    owner = blocks.face_block()
+    face, _, ends = edges_by_place(blocks)
+    keys = np.column_stack([owner[face], ends])
+    order = np.lexsort(keys.T)
+    same = np.flatnonzero(np.all(keys[order[1:]] == keys[order[:-1]], axis=1))
+    one, two = face[order[same]], face[order[same + 1]]
+    out = np.einsum("ni,ni->n", normal[one], centre[two] - centre[one]) < 0.0
+    one, two = one[out & which[owner[one]]], two[out & which[owner[one]]]
+    if not len(one):
+        return 0, 180.0
+    cosine = np.einsum("ni,ni->n", normal[one], normal[two])
+    sharpest = int(np.argmin(cosine))
+    return int(owner[one[sharpest]]), 180.0 - degrees(acos(float(np.clip(cosine[sharpest], -1.0, 1.0))))

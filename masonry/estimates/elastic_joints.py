@@ -3,20 +3,25 @@
 import numpy as np
 
 from geometry.blocks import Joints
-from geometry.joints.second_moments import Lacks
+from geometry.joints.faces.second_moments import Lacks
 
 
-def lacking_work(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.ndarray) -> float:
-    """J, twice: what moments would do besides at the turns that contact points keep joints from.
+def bend_or_twist(error: float) -> str:
+    """In words, of joints whose movement is too small by an error, or too large where it is below 0."""
+    return f"bend or twist too {'stiffly' if error > 0.0 else 'softly'} by their contact points"
 
-    stiffness  (C, 2) N/m of the contacts, along and across their normals      force  (C, 3) N
+
+def lacking_share(joints: Joints, lacks: Lacks, stiffness: np.ndarray, force: np.ndarray, stored: float) -> float:
+    """By how much more joints would move, over how far they do: work of their moments at the turns that contact points
+    keep them from, over what they store, each twice.
+
+    stiffness  (C, 2) N/m of the contacts, along and across their normals      force  (C, 3) N      stored  J, twice
     """
     if not len(force):
         return 0.0
     pull = np.einsum("ci,ci->c", joints.normal, force)
-    moment = lacks.moments(joints.normal, pull, force - pull[:, None] * joints.normal)
-    face, count = lacks.face, len(lacks.whole)
-    area = np.bincount(face, joints.area, count)
-    none = (area <= 0.0).astype(float)  # polygons of a face whose number is that of another one
-    normal, shear = ((np.bincount(face, values, count) + none) / (area + none) for values in stiffness.T)
-    return max(float(np.einsum("ja,jab,jb->j", moment, lacks.over(normal, shear), moment).sum()), 0.0)
+    moment, points = lacks.moments(joints.normal, pull, force - pull[:, None] * joints.normal), lacks.points
+    none = (points.area <= 0.0).astype(float)  # polygons of a face whose number is that of another one
+    normal, shear = ((column + none) / (points.area + none) for column in points.sums(stiffness).T)
+    work = float(np.einsum("ja,jab,jb->j", moment, lacks.over(normal, shear), moment).sum())
+    return max(work, 0.0) / max(stored, 1e-300)

@@ -10,13 +10,13 @@ from masonry.assembly.conditions import impedance_of, select
 from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.assembly.masses import added_mass_lines
 from masonry.errors import Stopped
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.judgement import judge
 from masonry.laboratory.added_parts import bar_lines, slab_lines
 from masonry.laboratory.cost import candidates, forecast
 from masonry.laboratory.moved_text import moved_lines
 from masonry.laboratory.quality import cells_text, quality_lines
 from masonry.laboratory.remarks.checks.unit_weight_densities import unit_weights
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.remark_catalogue import doubts_of_run, remarks_of_check
 from masonry.laboratory.result import Result
 from masonry.laboratory.settling_search import settled

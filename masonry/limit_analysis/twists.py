@@ -7,10 +7,10 @@ plane (`estimates/joint_planes.py`) times their share of the work, as that of a 
 
 import numpy as np
 
-from geometry.joints.second_moments import first_patches
-from masonry.estimates.joint_motions import by_many
-from masonry.estimates.joint_planes import PlanePoints, ShearCurve, axes_across, borne_in_plane
-from masonry.estimates.joint_pressures import StressBounds, pressures
+from geometry.joints.faces.whole_faces import first_patches, middles
+from masonry.estimates.strength.joint_motions import by_many
+from masonry.estimates.strength.joint_planes import PlanePoints, ShearCurve, axes_across, borne_in_plane
+from masonry.estimates.strength.joint_pressures import StressBounds, pressures
 from masonry.limit_analysis.limit_data import LimitData
 from masonry.statics.problem import STEEP, RigidBodies, RigidContacts
 
@@ -44,8 +44,7 @@ def _lost(result: LimitData, bodies: RigidBodies, contacts: RigidContacts) -> fl
     heads = first_patches(joints)
     faces, first, of = np.unique(heads[joints.patch], return_index=True, return_inverse=True)
     polygons = np.split(joints.patch_points, joints.patch_start[1:-1])
-    area = np.bincount(of, joints.area)[:, None]
-    middle = np.stack([np.bincount(of, joints.area * along) for along in joints.point.T], axis=1) / area
+    middle = middles(joints, of, len(faces))[1]
     twist = np.bincount(of, np.einsum("ci,ci->c", normal, np.cross(joints.point - middle[of], result.shear)))
     fraction = np.bincount(of, np.abs(np.einsum("ci,ci->c", result.shear, apart))) / work
     counts = np.abs(twist) * spin[first] / work >= TWISTS

@@ -1,12 +1,12 @@
 """By how much tets of constant strain, too stiff in bending, make the frequencies of a scene too high.
 
 The stiffness that a mode shows is too high by the share of its energy that is in error, as
-`masonry/configuration/parts/mesh_error.py` estimates it; its frequency goes with the root of the stiffness.
+`masonry/estimates/meshes/stress_error.py` estimates it; its frequency goes with the root of the stiffness.
 """
 
 import numpy as np
 
-from masonry.configuration.parts.mesh_error import MOST, finer, mesh_error, tet_stresses
+from masonry.estimates.meshes.stress_error import MOST, finer, mesh_error, tet_stresses
 from masonry.modal_analysis.eigen import Modes
 from masonry.modal_analysis.oscillator import Oscillator
 

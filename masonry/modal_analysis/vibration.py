@@ -7,10 +7,9 @@ import numpy as np
 
 from geometry.blocks import Blocks
 from geometry.joints.covered import covered_fractions
-from geometry.joints.second_moments import lacking_flexibility
 from masonry.errors import SceneError
-from masonry.estimates.elastic_joints import lacking_work
 from masonry.modal_analysis.eigen import Modes, slowest
+from masonry.modal_analysis.joint_words import joint_words
 from masonry.modal_analysis.mesh_words import mesh_words
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
 from masonry.modal_analysis.modes_result import ModesResult
@@ -22,8 +21,6 @@ MOST = 200
 """Modes that may be asked for."""
 COVERED = 1.0 - 1e-6
 """Share of a face in joints from which on it is not seen."""
-TOO_HIGH = 0.02
-"""Share of a frequency by which it may be too high for contact points by which joints bend or twist too stiffly."""
 ALIKE = 1e-6
 """Share by which lengths may differ and count as equal."""
 MOVES = 1e-6
@@ -125,18 +122,6 @@ def _loose_blocks(oscillator: Oscillator, blocks: Blocks, modes: Modes) -> np.nd
     return np.flatnonzero(farthest > MOVES)
 
 
-def frequencies_too_high(oscillator: Oscillator, shapes: np.ndarray, closed: np.ndarray) -> np.ndarray:
-    """(m,) by what share the frequency of each mode (m, n) is too high, as closed joints turn too stiffly by their
-    contact points, by Rayleigh's quotient."""
-    joints, stretches = oscillator.joints, oscillator.closed(closed)
-    off, lacks, stiffness = [], lacking_flexibility(joints), np.column_stack([oscillator.normal, oscillator.shear])
-    for shape in shapes:
-        scaled = stretches @ shape
-        more = lacking_work(joints, lacks, stiffness, oscillator.forces(scaled)) / max(float(scaled @ scaled), 1e-300)
-        off.append(np.sqrt(1.0 + more) - 1.0)
-    return np.array(off)
-
-
 def _say(
     result: ModesResult, oscillator: Oscillator, modes: Modes, joints: Pressed | None, wishes: ModesSettings
 ) -> None:
@@ -152,15 +137,7 @@ def _say(
     if not len(result.frequencies):
         result.remarks.append("no joint and no block is strained by what can move: there is no frequency")
     result.remarks.extend(mesh_words(oscillator, modes))
-    high = frequencies_too_high(oscillator, modes.shape, result.closed)
-    if high.max(initial=0.0) > TOO_HIGH:
-        worst = int(np.argmax(high))
-        result.remarks.append(
-            "joints bend or twist too stiffly by their contact points: the frequencies of "
-            f"{int((high > TOO_HIGH).sum())} of {len(high)} modes are more "
-            f"than {100.0 * TOO_HIGH:g} % too high, that of mode {worst + 1} by about "
-            f'{100.0 * high[worst]:.2g} %; specimen.contact_points = "gauss" has them right'
-        )
+    result.remarks.extend(joint_words(oscillator, modes.shape, result.closed))
     if joints is not None and joints.slides.any():
         result.remarks.append(
             f"{int(joints.slides.sum())} of {int(joints.closed.sum())} closed contacts would bear more shear than "

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from geometry.polyhedra.construct import from_faces
+from geometry.polyhedra.measures import sharpest_edge
 from masonry.assembly.assemble import assemble
-from masonry.laboratory.remarks.scenes.mesh_inertia import doubts, inertia_excess
-from masonry.laboratory.remarks.scenes.sharp_edges import sharpest_edge
+from masonry.estimates.meshes.inertia import inertia_excess
+from masonry.laboratory.remarks.scenes.mesh_inertia import doubts
 from masonry.scene import Scene
 from tests.large.made import slab
 from tests.large.test_meshed_blocks import scene

@@ -4,10 +4,12 @@ part."""
 import numpy as np
 import pytest
 
+from geometry.joints.faces.strips import of_points, spread
 from masonry.assembly.assemble import assemble
-from masonry.estimates.joint_faces import faces_of, look_at, shear_of
-from masonry.estimates.joint_motions import slid
-from masonry.estimates.joint_sections import envelope, of_points, spread, strength
+from masonry.estimates.joint_faces import faces_of
+from masonry.estimates.joint_loads import JointWork, look_at, shear_of
+from masonry.estimates.strength.joint_motions import slid
+from masonry.estimates.strength.joint_sections import envelope, strength
 from masonry.laws.brittle import Brittle
 from masonry.laws.exponential import Exponential
 from masonry.laws.state import JointProperties
@@ -114,7 +116,8 @@ def test_what_is_torn_of_a_joint_bears_no_shear_any_more(torn):
         assembly, corners=corners, slip=np.full(points, 1e-6), shear_stress=np.full(points, 30e3), damage_tension=damage
     )
     faces = faces_of(assembly)
-    one = slid(assembly, faces, look_at(assembly, faces, seen)._replace(slid=np.ones(1), slides=np.ones(1)),
+    work = JointWork(np.zeros(1), np.ones(1))
+    one = slid(assembly, faces, look_at(assembly, faces, seen)._replace(work=work, inelastic=work),
                shear_of(assembly, faces, seen), seen, 0, np.ones(2))  # fmt: skip
     assert one is not None and one.carries == pytest.approx(30e3 / (100e3 * (1.0 - torn)), rel=0.01)
 

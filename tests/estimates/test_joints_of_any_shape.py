@@ -13,8 +13,10 @@ from scipy.optimize import minimize
 from geometry.joints.find import find_joints
 from geometry.joints.point_density import Density
 from geometry.polyhedra.construct import from_faces
-from masonry.estimates.joint_faces import Look, Shear, faces_of, points_of
-from masonry.estimates.joint_motions import bent, slid
+from masonry.estimates.bearing_points import points_of
+from masonry.estimates.joint_faces import faces_of
+from masonry.estimates.joint_loads import JointWork, Look, Shear
+from masonry.estimates.strength.joint_motions import bent, slid
 from masonry.laws.friction import Friction
 from masonry.laws.linear import Linear
 from masonry.laws.state import JointProperties
@@ -122,7 +124,9 @@ class Joint:
         count = len(joints.area)
         parameters, properties = PROPERTIES[case.law]
         model = SimpleNamespace(
-            group=np.zeros(count, dtype=int), groups=Groups((parameters,), (properties,), [0, count])
+            group=np.zeros(count, dtype=int),
+            groups=Groups((parameters,), (properties,), [0, count]),
+            group_names=("joint",),
         )
         self.assembly = SimpleNamespace(joints=joints, model=model, scene=SimpleNamespace(is_large=False), pairs=None)
         self.case, self.joints = case, joints
@@ -135,8 +139,9 @@ class Joint:
         self.many = point - self.middle, area
 
     def look(self, **given) -> Look:
-        zeros = {name: np.zeros(1) for name in ("force", "bends", "slides", "bent", "slid")}
-        zeros |= {"moment": np.zeros((1, 3)), "turn": np.zeros((1, 3)), "torn": np.zeros(1, dtype=bool)}
+        zeros = {"force": np.zeros(1), "torn": np.zeros(1, dtype=bool)}
+        zeros |= {name: JointWork(np.zeros(1), np.zeros(1)) for name in ("work", "inelastic")}
+        zeros |= {"moment": np.zeros((1, 3)), "turn": np.zeros((1, 3))}
         return Look(**(zeros | given))
 
 
@@ -226,7 +231,8 @@ def test_what_few_points_bear_of_two_shears_and_a_twist_is_told(case: Case) -> N
         across = np.array([load[0], load[1], 0.0]) * own
         turned = joint.normal[2] * load[2] * own
         shear = Shear(across[None], np.array([turned]), np.zeros(1))
-        look = joint.look(force=np.array([force]), moment=moment[None], slides=np.ones(1), slid=np.ones(1))
+        work = JointWork(np.zeros(1), np.ones(1))
+        look = joint.look(force=np.array([force]), moment=moment[None], work=work, inelastic=work)
         slips = SimpleNamespace(
             damage_tension=np.zeros(len(joint.joints.area)), slip=np.full(len(joint.joints.area), 0.01)
         )

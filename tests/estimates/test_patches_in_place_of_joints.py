@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from geometry.joints.second_moments import of_polygons
+from geometry.joints.faces.second_moments import of_polygons
 from masonry.detection.spread import rounds_of, spread, spread_in_rounds
-from masonry.estimates.joint_faces import SPREAD, patch_points
+from masonry.estimates.bearing_points import SPREAD, patch_points
 
 CORNERS = np.array([[0.1, 0.2, 0.0], [0.8, 0.4, 0.0], [0.7, 0.75, 0.0], [0.0, 0.55, 0.0]])
 """Of a parallelogram, askew."""

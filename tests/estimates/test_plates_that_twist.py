@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import masonry
-from masonry.estimates.joint_planes import PlanePoints, ShearCurve, borne_in_plane
+from masonry.estimates.strength.joint_planes import PlanePoints, ShearCurve, borne_in_plane
 from masonry.judgement.judgement import judgement_of
 from masonry.laboratory import laboratory
 from tests.scenes import box, listed, load, specimen, tables

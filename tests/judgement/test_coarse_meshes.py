@@ -8,7 +8,7 @@ import pytest
 
 import masonry
 from masonry.assembly.assemble import assemble
-from masonry.configuration.parts.mesh_error import mesh_error, recovered, tet_stresses
+from masonry.estimates.meshes.stress_error import mesh_error, recovered, tet_stresses
 from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judgement_of
 from masonry.laboratory import laboratory

@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
+from masonry.estimates.inspection import Inspection
+from masonry.estimates.turns_on_beds import turns_and_slides
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.checks import free_rocking as may_rock
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.remarks.runs import (
     blow,
-    closed_joints,
+    closed_patches,
     hard_impacts,
     left_floor,
     rocking,
@@ -139,19 +140,19 @@ def test_a_turn_and_a_slide_under_a_pressure_have_the_lengths_of_their_ways(turn
     pressed = {"normal_stress": np.full(len(assembly.joints.area), -pressure)}
     ways = [moved(assembly, 1, share * turn, (share * slide, 0.0, 0.0)) for share in (0.0, 0.5, 1.0, 0.0)]
     frames = [frame(assembly, k, corners=corners, **pressed) for k, corners in enumerate(ways)]
-    turned, slid, most = turned_beds.turns_and_slides(assembly, frames)
+    turned, slid, most = turns_and_slides(assembly, frames)
     force, lever = pressure * SIDE**2, 0.5 * sqrt(2.0) * SIDE
     assert turned == pytest.approx(force * lever * 2.0 * abs(turn), rel=1e-3)
     assert slid == pytest.approx(force * 2.0 * slide, rel=1e-3)
     assert most == pytest.approx(0.0, abs=1e-5), "but for squares of the turn"
-    assert turned_beds.turns_and_slides(assembly, frames[:3])[2] == pytest.approx(abs(turn), rel=1e-3)
+    assert turns_and_slides(assembly, frames[:3])[2] == pytest.approx(abs(turn), rel=1e-3)
 
 
 def test_what_lifts_while_it_turns_rubs_nothing():
     assembly = on_a_slab()
     pressed = {"normal_stress": np.full(len(assembly.joints.area), -1e4)}
     frames = [frame(assembly, 0, **pressed), frame(assembly, 1, corners=moved(assembly, 1, 0.02, (0.01, 0.0, 0.0)))]
-    assert turned_beds.turns_and_slides(assembly, frames) == (0.0, 0.0, 0.0)
+    assert turns_and_slides(assembly, frames) == (0.0, 0.0, 0.0)
 
 
 def drawn_in(share: float) -> Assembly:
@@ -188,7 +189,7 @@ def test_dry_joints_decide_where_no_block_has_moved_by_a_thousandth_of_the_small
     assembly = on_a_slab()
     edge = (SIDE**2 * HEIGHT) ** (1.0 / 3.0)
     corners = moved(assembly, 1, 0.0, (0.0, -share * 1e-3 * edge, 0.0))
-    doubts = closed_joints.doubts(inspected(assembly, [frame(assembly), frame(assembly, 1, corners=corners)]))
+    doubts = closed_patches.doubts(inspected(assembly, [frame(assembly), frame(assembly, 1, corners=corners)]))
     assert said(doubts, "no block moved by more than a thousandth of its size") == told
 
 

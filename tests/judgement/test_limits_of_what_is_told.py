@@ -9,6 +9,8 @@ import pytest
 
 from masonry.assembly.assemble import Assembly, assemble
 from masonry.errors import Stopped
+from masonry.estimates import hinged_joints
+from masonry.estimates.meshes.tet_energy import ExcessEnergy
 from masonry.laboratory import laboratory
 from masonry.laboratory.remarks.runs import coarse_mesh, crushing_energy, hinge_moments, rocking
 from masonry.laboratory.remarks.runs.deformed_blocks import of_strains
@@ -60,17 +62,14 @@ def test_tets_may_store_a_twentieth_too_much_or_the_accuracy_and_a_fifth_in_one_
     of_all, of_block, accuracy, words, monkeypatch
 ):
     mesh = SimpleNamespace(tet_start=np.array([0, 0, 0]))
-    one = coarse_mesh.TooMuch(of_all, of_block, 1, np.zeros(0))
-    energy = SimpleNamespace(
-        share=lambda state: one, assembly=SimpleNamespace(scene=SimpleNamespace(specimen=SimpleNamespace(mesh="gmsh")))
-    )
-    monkeypatch.setattr(coarse_mesh, "EnergyOfTets", lambda assembly, mesh: energy)
-    monkeypatch.setattr(coarse_mesh, "_states", lambda inspection, energy: [(None, "at the end")])
-    monkeypatch.setattr(coarse_mesh, "_friction_decides", lambda inspection: False)
-    monkeypatch.setattr(coarse_mesh, "_advice", lambda *_: "take a smaller one")
+    excess = ExcessEnergy(of_all, of_block, 1, np.zeros(0), "at the end")
+    monkeypatch.setattr(coarse_mesh, "excess_energies", lambda inspection, mesh: [excess])
+    monkeypatch.setattr(coarse_mesh, "friction_decides", lambda inspection: False)
+    monkeypatch.setattr(coarse_mesh, "finer", lambda *_: "take a smaller one")
     layout = SimpleNamespace(centroid=np.array([[0.0, 0.0, 0.0], [0.1, 0.25, 1.5]]))
     drive = None if accuracy is None else SimpleNamespace(accuracy=accuracy)
-    scene = SimpleNamespace(drive=drive, limit=None)
+    specimen = SimpleNamespace(mesh="gmsh", mesh_size=None)
+    scene = SimpleNamespace(drive=drive, limit=None, specimen=specimen)
     run = inspected(SimpleNamespace(mesh=mesh, model=SimpleNamespace(layout=layout), scene=scene), [None])
     assert said(coarse_mesh.doubts(run), words) == bool(words)
 
@@ -83,7 +82,7 @@ def test_hinges_may_lack_the_accuracy_but_no_less_than_three_halves_of_a_per_cen
     assembly = assemble(load("couplet", {"drive.accuracy": accuracy}))
     monkeypatch.setattr(hinge_moments, "hinges_of", lambda *_: SimpleNamespace(face=np.zeros(1)))
     lacks = iter([0.0, share * limit])
-    monkeypatch.setattr(hinge_moments, "_lacks", lambda *_: next(lacks))
+    monkeypatch.setattr(hinged_joints, "lacking_in_frame", lambda *_: next(lacks))
     run = inspected(assembly, [frame(assembly, 0), frame(assembly, 1)], stopped="")
     run.__dict__["peak"] = 0
     assert (

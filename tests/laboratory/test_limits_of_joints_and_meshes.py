@@ -6,13 +6,23 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from geometry.joints.faces.strips import Section
+from geometry.joints.faces.whole_faces import reach_along
 from masonry.assembly.assemble import assemble
-from masonry.estimates.joint_sections import Section
-from masonry.laboratory.remarks import hinges
+from masonry.estimates import closed_joints as estimated
+from masonry.estimates import hinged_joints
+from masonry.estimates.inspection import Inspection
+from masonry.estimates.joint_loads import JointWork
+from masonry.estimates.meshes import tet_energy
+from masonry.estimates.strength import strength_error
 from masonry.laboratory.remarks.checks import closed_joints_bend
-from masonry.laboratory.remarks.edge_reach import reach_along
-from masonry.laboratory.remarks.inspection import Inspection
-from masonry.laboratory.remarks.runs import closed_joints, coarse_mesh, few_points, hinge_moments, turned_beds
+from masonry.laboratory.remarks.runs import (
+    closed_joints,
+    closed_joints_at_corners,
+    few_points,
+    hinge_moments,
+    turned_beds,
+)
 from masonry.laboratory.remarks.scenes.noisy_records import peak_of_every_second_sample
 from masonry.scene import load
 from tests.judgement.frames import frame, on_a_slab
@@ -27,9 +37,10 @@ SMALL = SimpleNamespace(is_large=False, drive=DRIVEN, limit=None)
 def look(**shares: float) -> SimpleNamespace:
     """A frame of three joints by their works (J), of which the last one bends or slides as said; all of it is 1 J."""
     works = {name: np.array([0.0, 0.0, share]) for name, share in shares.items()}
-    zero = np.zeros(3)
+    bending, sliding = np.array([0.2, 0.3, 0.1]), np.array([0.1, 0.1, 0.2])
+    work = JointWork(bending, works.get("sliding", sliding))
     return SimpleNamespace(
-        **{"bends": np.array([0.2, 0.3, 0.1]), "slides": np.array([0.1, 0.1, 0.2]), "bent": zero, "slid": zero} | works
+        work=work, inelastic=JointWork(works.get("bent", np.zeros(3)), works.get("slid", np.zeros(3)))
     )
 
 
@@ -50,15 +61,16 @@ def test_joints_are_asked_to_the_accuracy_but_no_less_than_three_halves_of_a_per
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 @pytest.mark.parametrize(("sign", "words"), [(1.0, "too stiffly .* % too small"), (-1.0, "too softly .* % too large")])
 def test_closed_joints_may_bend_too_stiffly_or_too_softly_by_the_accuracy(share, told, sign, words, monkeypatch):
-    monkeypatch.setattr(closed_joints, "_strength_decides", lambda inspection: False)
-    monkeypatch.setattr(closed_joints, "_off", lambda inspection, looks, number: sign * share * 0.03 * (number == 1))
+    error = sign * share * 0.03
+    monkeypatch.setattr(closed_joints, "strength_decides", lambda inspection: False)
+    monkeypatch.setattr(estimated, "error_in_frame", lambda inspection, looks, number: error * (number == 1))
     monkeypatch.setattr(closed_joints, "advice_for", lambda assembly: "take more")
     run = SimpleNamespace(
         frames=[0, 1, 2],
         assembly=SimpleNamespace(scene=SMALL, model=None),
         accuracy=0.03,
         peak=2,
-        look=lambda number: look(slides=0.2 if number == 1 else 0.1),
+        look=lambda number: look(sliding=0.2 if number == 1 else 0.1),
         faces=SimpleNamespace(patch=np.zeros(3), softness=np.ones((3, 3, 3))),
     )
     doubts = closed_joints.doubts(run)
@@ -80,45 +92,51 @@ def test_a_strength_that_dry_joints_with_points_at_their_corners_bear_by_frictio
     accuracy, rubs, twists, few, told, monkeypatch
 ):
     """Shares of friction and of twists in the work of 1 J; a triangle beside a square and one of more points."""
-    monkeypatch.setattr(closed_joints, "_strength_decides", lambda inspection: True)
-    monkeypatch.setattr(closed_joints, "_dry", lambda inspection: np.array([True, False, True]))
-    monkeypatch.setattr(closed_joints, "advice_for", lambda assembly: "take more")
+    monkeypatch.setattr(closed_joints_at_corners, "strength_decides", lambda inspection: True)
+    monkeypatch.setattr(closed_joints_at_corners, "advice_for", lambda assembly: "take more")
     polygons = [[np.zeros((n, 3))] for n in (4, 4, 3)]
     faces = SimpleNamespace(
         patch=np.zeros(3),
         softness=np.ones((3, 3, 3)),
         start=np.array([0, 9, 13, 16 if few else 17]),
         polygons=polygons,
+        dry=np.array([True, False, True]),
     )
     shear = SimpleNamespace(twist=np.array([0.5, -2.0, 0.0]) * twists, turn=np.array([-1.0, 0.25, 7.0]))
     run = SimpleNamespace(
         frames=[0], assembly=SimpleNamespace(scene=SMALL, model=None), accuracy=accuracy, peak=0, faces=faces,
         look=lambda _: look(slid=rubs), shear=lambda _: shear, strength="peak",
     )  # fmt: skip
-    assert said(closed_joints.doubts(run), "joints slide and twist on contact points at their corners alone") == told
+    doubts = closed_joints_at_corners.doubts(run)
+    assert said(doubts, "joints slide and twist on contact points at their corners alone") == told
 
 
 @pytest.mark.parametrize(("share", "decides"), EITHER_SIDE)
 def test_a_strength_decides_where_a_hundredth_of_the_work_behind_the_peak_is_not_elastic(share, decides):
     behind = look(bent=share * 0.004, slid=share * 0.006)
     outcome = SimpleNamespace(history=SimpleNamespace(rows={}))
-    assembly = SimpleNamespace(scene=SMALL, model=SimpleNamespace(group_names=[]))
-    run = SimpleNamespace(assembly=assembly, frames=[0, 1], peak=0, look=lambda number: behind, outcome=outcome)
-    assert closed_joints._strength_decides(run) is decides
-    assert coarse_mesh._friction_decides(run) is decides
+    groups = SimpleNamespace(properties=[])
+    run = inspected(
+        SimpleNamespace(scene=SMALL, model=SimpleNamespace(groups=groups, group_names=[]), pairs=None),
+        history=outcome.history,
+    )
+    outcome.history.frames, run.__dict__["peak"], run._looks[1] = [0, 1], 0, behind
+    assert run.gave_way is decides
+    assert estimated.strength_decides(run) is decides
+    assert tet_energy.friction_decides(run) is decides
 
 
 @pytest.mark.parametrize(("share", "counts"), EITHER_SIDE)
 def test_joints_hardly_bend_that_move_their_blocks_by_less_than_a_tenth_of_their_way(share, counts, monkeypatch):
     """The second joint is a small part of all work, and makes half of the movement of its own block."""
     of_turns = iter([np.array([0.01, share * 0.1]), np.array([0.0, 0.5])])
-    monkeypatch.setattr(closed_joints, "_beside_its_block", lambda inspection, number, turn: next(of_turns))
-    monkeypatch.setattr(closed_joints, "_closed", lambda inspection, looks, number: np.ones(2))
-    monkeypatch.setattr(closed_joints, "_work", lambda inspection, now, number: 1e6)
+    monkeypatch.setattr(estimated, "_beside_its_block", lambda inspection, number, turn: next(of_turns))
+    monkeypatch.setattr(estimated, "_closed", lambda inspection, looks, number: np.ones(2))
+    monkeypatch.setattr(estimated, "_work", lambda inspection, now, number: 1e6)
     shear = SimpleNamespace(twist=np.zeros(2), turn=np.zeros(2))
     faces = SimpleNamespace(normal=np.tile([0.0, 0.0, 1.0], (2, 1)), softness=np.tile(np.eye(3), (2, 1, 1)))
     now = SimpleNamespace(moment=np.array([[0.0, 1.0, 0.0], [-2.0, 0.5, 0.0]]), turn=np.zeros((2, 3)))
-    off = closed_joints._off(SimpleNamespace(faces=faces, shear=lambda number: shear), [now], 0)
+    off = estimated.error_in_frame(SimpleNamespace(faces=faces, shear=lambda number: shear), [now], 0)
     assert off == pytest.approx(1.0 / 3.0 if counts else 0.0)
 
 
@@ -128,7 +146,7 @@ def test_the_turn_of_a_joint_moves_the_farthest_corner_of_the_block_beyond_it():
     corners = np.zeros_like(assembly.specimen.blocks.points)
     corners[assembly.specimen.blocks.points[:, 2] > 0.0] = [0.0, 3e-3, 0.0]
     run = inspected(assembly, [frame(assembly, corners=corners)])
-    ratio = closed_joints._beside_its_block(run, 0, np.array([[0.0, 2e-3, 0.0]]))
+    ratio = estimated._beside_its_block(run, 0, np.array([[0.0, 2e-3, 0.0]]))
     reach = 0.05 + np.linalg.norm([0.1, 0.1, 0.05])
     assert ratio == pytest.approx([2e-3 * reach / 3e-3])
 
@@ -140,13 +158,13 @@ def test_a_block_is_asked_alone_that_stores_a_hundredth_with_half_of_the_joints_
     rest = 100.0 - stored - 50.0 - 0.8
     blocks = SimpleNamespace(count=2)
     joints = SimpleNamespace(block_a=np.array([0]), block_b=np.array([1]))
-    energy = object.__new__(coarse_mesh.EnergyOfTets)
+    energy = object.__new__(tet_energy.EnergyOfTets)
     energy.assembly = SimpleNamespace(joints=joints, specimen=SimpleNamespace(blocks=blocks))
     energy.mesh, energy.lame, energy.owner = None, None, np.array([0, 1, 1])
     errors = np.array([0.3 * share, 0.1, 0.2])
-    monkeypatch.setattr(coarse_mesh, "mesh_error", lambda *_: (np.array([stored, 20.0, 30.0]), errors))
-    monkeypatch.setattr(coarse_mesh.EnergyOfTets, "joints", lambda self, state: np.array([0.8]))
-    much = energy.share(SimpleNamespace(tets=None, rest=rest))
+    monkeypatch.setattr(tet_energy, "mesh_error", lambda *_: (np.array([stored, 20.0, 30.0]), errors))
+    monkeypatch.setattr(tet_energy.EnergyOfTets, "joints", lambda self, state: np.array([0.8]))
+    much = energy.excess(SimpleNamespace(tets=None, rest=rest), "now")
     assert much.of_all == pytest.approx(errors.sum() / 100.0)
     assert (much.of_block, much.block) == pytest.approx((0.3, 0) if told else (0.3 / 50.4, 1))
 
@@ -154,11 +172,11 @@ def test_a_block_is_asked_alone_that_stores_a_hundredth_with_half_of_the_joints_
 def bearing(ratio: float, monkeypatch, accuracy: float) -> list:
     """What is told where the strength is so many times what it should be."""
     one = SimpleNamespace(shares=np.array([0.3, 0.7]), in_plane=True, gave=True, at=None, by=lambda point, area: 1.2)
-    monkeypatch.setattr(few_points, "_that_matter", lambda inspection: [(0, one)])
-    monkeypatch.setattr(few_points, "own_points", lambda *_: (np.zeros((1, 3)), np.ones(1)))
-    monkeypatch.setattr(few_points, "_carried", lambda one, borne: borne)
-    monkeypatch.setattr(few_points, "_off", lambda joints, carried: ratio)
-    monkeypatch.setattr(few_points, "_advice", lambda *_: "take more")
+    monkeypatch.setattr(strength_error, "_that_matter", lambda inspection: [(0, one)])
+    monkeypatch.setattr(strength_error, "own_points", lambda *_: (np.zeros((1, 3)), np.ones(1)))
+    monkeypatch.setattr(strength_error, "_carried", lambda one, borne: borne)
+    monkeypatch.setattr(strength_error, "_off", lambda joints, carried: ratio)
+    monkeypatch.setattr(few_points, "bears_on_nodes", lambda *_: True)
     run = SimpleNamespace(accuracy=accuracy, assembly=None, faces=None, strength="load that is borne")
     return few_points.doubts(run)
 
@@ -199,14 +217,14 @@ def test_a_point_of_a_dry_joint_that_closes_by_a_twentieth_of_the_mean_is_about_
     opening = np.array([-share * 0.05e-6, -1.95e-6, -1e-6, -1e-6])
     last = SimpleNamespace(opening=opening, crushing=None)
     run = SimpleNamespace(faces=faces, frames=[last], peak=0)
-    assert few_points._gave_way(run, [now]).tolist() == [lifts, False]
+    assert strength_error._gave_way(run, [now]).tolist() == [lifts, False]
 
 
 @pytest.mark.parametrize(("share", "words"), [(0.94, "too low by up to 94 %"), (0.96, "far too low")])
 def test_how_much_hinges_lack_is_told_up_to_95_per_cent_of_the_work(share, words, monkeypatch):
     assembly = assemble(load("couplet"))
     monkeypatch.setattr(hinge_moments, "hinges_of", lambda *_: SimpleNamespace(face=np.zeros(1)))
-    monkeypatch.setattr(hinge_moments, "_lacks", lambda *_: share)
+    monkeypatch.setattr(hinged_joints, "lacking_in_frame", lambda *_: share)
     run = inspected(assembly, [frame(assembly, 0)], stopped="")
     run.__dict__["peak"] = 0
     (doubt,) = hinge_moments.doubts(run)
@@ -222,12 +240,12 @@ def test_a_dry_hinge_bears_at_most_its_pressure_at_its_edge_and_nothing_before_i
     share, feels, monkeypatch
 ):
     """Of 0.0196 m2, 0.2 m deep, pressed by 3 kN: its edge feels a thousandth of that pressure."""
-    monkeypatch.setattr(hinge_moments, "_across", lambda *_: STRIPS)
+    monkeypatch.setattr(hinged_joints, "_across", lambda *_: STRIPS)
     faces = SimpleNamespace(stiffness=np.array([2e9]), area=np.array([0.0196]))
     now = SimpleNamespace(force=np.array([-3000.0]))
 
     def moment(turn: float, opening: float) -> float:
-        return hinge_moments._dry_moment(None, faces, now, 0, np.array([0.0, turn, 0.0]), opening, True)
+        return hinged_joints._dry_moment(None, faces, now, 0, np.array([0.0, turn, 0.0]), opening, True)
 
     turn = share * 1e-3 * (3000.0 / 0.0196) / (0.5 * 0.2 * 2e9)
     pressed = -3000.0 / (2e9 * 0.0196)
@@ -244,8 +262,8 @@ def test_a_joint_bears_no_moment_across_a_thousandth_of_the_root_of_its_area(sha
     faces = inspected(assembly, []).faces
     depth = share * 1e-3 * float(faces.area[0]) ** 0.5
     outline = faces.middle[0] + depth * np.array([[0.9, 0.4, 0.0], [-0.9, 0.4, 0.0], [0.3, -0.6, 0.0]])
-    monkeypatch.setattr(hinges, "corners_of", lambda faces, face: outline)
-    assert len(hinges.hinges_of(assembly, faces).face) == wide
+    monkeypatch.setattr(hinged_joints, "corners_of", lambda faces, face: outline)
+    assert len(hinged_joints.hinges_of(assembly, faces).face) == wide
 
 
 @pytest.mark.parametrize(("count", "halved"), [(15, False), (16, True)])
@@ -269,14 +287,14 @@ def test_a_check_tells_of_closed_joints_from_two_per_cent_on(share, told, monkey
     monkeypatch.setattr(closed_joints_bend, "oscillator_of", lambda scene: oscillator)
     jump = np.column_stack([points / np.array([2.0, 3.0]), np.zeros((2, 2))])
     monkeypatch.setattr(closed_joints_bend, "equilibrium", lambda oscillator, closed: jump)
-    monkeypatch.setattr(closed_joints_bend, "lacking_work", lambda *_: lacks)
+    monkeypatch.setattr(closed_joints_bend, "lacking_share", lambda *given: lacks / given[-1])
     monkeypatch.setattr(closed_joints_bend, "advice_for", lambda assembly: "take more")
 
     def lines(contacts: int) -> list[str]:
         joints = SimpleNamespace(area=np.ones(contacts))
         scene = SimpleNamespace(drive=None, limit=None)
-        model = SimpleNamespace(group_names=[])
-        return closed_joints_bend.remarks(SimpleNamespace(scene=scene, joints=joints, model=model))
+        model = SimpleNamespace(groups=SimpleNamespace(properties=[]), group_names=[])
+        return closed_joints_bend.remarks(SimpleNamespace(scene=scene, joints=joints, model=model, pairs=None))
 
     assert [("about 2 %" in line) for line in lines(2)] == [True] * told
     monkeypatch.setattr(closed_joints_bend, "equilibrium", lambda oscillator, closed: np.ones((len(closed), 3)))
@@ -307,9 +325,8 @@ def test_points_reach_as_far_as_they_do_in_the_direction_in_which_they_reach_lea
     """Points of a plate that is wider on one side, towards both of its ends and across."""
     arm = np.array([[0.3, 0.1, 0.0], [-0.1, 0.1, 0.0], [-0.1, -0.05, 0.0]])
     outline = np.array([[0.5, 0.2, 0.0], [-0.3, 0.2, 0.0], [-0.3, -0.1, 0.0]])
-    faces = SimpleNamespace(arm=arm, contacts=lambda face: np.arange(3), polygons=[[outline]], middle=np.zeros((1, 3)))
     x, y = np.eye(3)[:2]
     for along, reach in ((x, 0.1 / 0.3), (-x, 0.6), (y, 0.5), (-y, 0.5)):
-        assert reach_along(faces, 0, along[None]) == pytest.approx(reach)
-    assert reach_along(faces, 0, np.array([-x, y, x])) == pytest.approx(1.0 / 3.0)
-    assert reach_along(faces, 0, np.zeros((0, 3))) == np.inf
+        assert reach_along(arm, outline, along[None]) == pytest.approx(reach)
+    assert reach_along(arm, outline, np.array([-x, y, x])) == pytest.approx(1.0 / 3.0)
+    assert reach_along(arm, outline, np.zeros((0, 3))) == np.inf

@@ -7,8 +7,8 @@ import pytest
 
 from masonry.assembly.assemble import assemble
 from masonry.configuration.chunk import Chunk
+from masonry.estimates.inspection import Inspection
 from masonry.laboratory.cost import expected
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.laboratory.summary.run_summary import summarise
 from masonry.loading.loading import Expected, Loading
 from masonry.loading.plan import PacedPlan

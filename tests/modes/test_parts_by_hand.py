@@ -8,10 +8,10 @@ import pytest
 import masonry
 from masonry.errors import SceneError
 from masonry.modal_analysis.eigen import slowest
+from masonry.modal_analysis.joint_words import frequencies_too_high
 from masonry.modal_analysis.modes_data import block_of_points, moved_corners, own_points
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.modal_analysis.pressed import equilibrium, pressed
-from masonry.modal_analysis.vibration import frequencies_too_high
 from verification.references.swinging_stack import STACK, boxes, keys_of
 from verification.scene_runs import load
 

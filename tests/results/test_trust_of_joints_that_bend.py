@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 
 import verification
+from geometry.joints.faces.strips import of_points, spread
 from masonry.assembly.assemble import assemble
 from masonry.errors import Stopped
-from masonry.estimates.joint_faces import faces_of, look_at
-from masonry.estimates.joint_sections import envelope, of_points, spread, strength
+from masonry.estimates.joint_faces import faces_of
+from masonry.estimates.joint_loads import look_at
+from masonry.estimates.strength.joint_sections import envelope, strength
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
@@ -103,9 +105,10 @@ def test_the_work_of_the_joints_in_a_frame_is_that_of_the_drive():
     faces, moved = faces_of(assembly), [frame for frame in history.frames if frame.displacement > 0.0]
     looks = [look_at(assembly, faces, frame) for frame in moved]
     force = [history.rows["force"][history.rows["step"] == frame.step][0] for frame in moved]
-    done = [float((look.bends + look.slides).sum()) for look in looks]
+    done = [look.work.total for look in looks]
     assert done == pytest.approx([f * frame.displacement for f, frame in zip(force, moved, strict=True)], rel=0.01)
-    assert all(0.0 <= look.bent.sum() <= look.bends.sum() for look in looks) and looks[-1].torn.all()
+    assert all(0.0 <= look.inelastic.bending.sum() <= look.work.bending.sum() for look in looks)
+    assert looks[-1].torn.all()
 
 
 def test_few_rows_of_points_change_the_answer_and_a_run_with_them_says_by_how_much():

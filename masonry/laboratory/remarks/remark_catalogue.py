@@ -1,10 +1,10 @@
 """Every file of `scenes/`, `runs/` and `checks/`, asked without a list."""
 
 from masonry.assembly.assemble import Assembly
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.catalogue import modules_of
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks import checks, runs, scenes
-from masonry.laboratory.remarks.inspection import Inspection
 
 
 def doubts_of_scene(assembly: Assembly) -> list[Doubt]:

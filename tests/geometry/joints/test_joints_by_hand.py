@@ -7,13 +7,13 @@ from geometry.blocks import TetMesh
 from geometry.joints.boundary import surface_nodes
 from geometry.joints.covered import covered_fractions
 from geometry.joints.extents import joint_extents
+from geometry.joints.faces.second_moments import lacking_flexibility
 from geometry.joints.find import find_joints, stated_joints
 from geometry.joints.gaps import facing_faces
 from geometry.joints.heal import mend
 from geometry.joints.nearby import Rule, nearby_joints
 from geometry.joints.point_density import Density
 from geometry.joints.quality import quality
-from geometry.joints.second_moments import lacking_flexibility
 from geometry.joints.tributary_areas import tiles
 from geometry.meshes.fan import mesh_by_fans
 from geometry.polyhedra.construct import concatenate, extrude, from_boxes, from_faces

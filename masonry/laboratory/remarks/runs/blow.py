@@ -5,8 +5,8 @@ Rows of a slow test lie much closer to its peak than the 20 % that are let throu
 any rows may pass by its peak.
 """
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.collapse import Fallen
 
 LIMIT, THROUGH = 1.2, 1e-2

@@ -1,174 +1,44 @@
 """Are the tets too large for how the stress varies within blocks? Those of constant strain are too stiff in bending.
 
-The error is estimated from the stress itself (`masonry/configuration/parts/mesh_error.py`): by what share of all
-elastic energy, that of joints and bars too, the tets store too much. By that share the specimen deforms too little
-under given loads, so a mesh counts little beside joints that are soft. It is asked of the dead loads when they have
-settled, and of what a drive or a growing load changes from there to the peak, so that a pressure does not hide the
-bending that comes on top. Without either it is asked of the last frame before anything fell, and of that with most
-energy in blocks where the ground shakes.
-
-That share adds up over the blocks, and is at least that of each of them. It hides a block that bends on its own beside
-much else. So each block that stores a hundredth of all, with half of what the joints on it store, is asked too.
-
-The limit is the accuracy that was asked, but no less than 5 %, as an estimate is within a factor of 1.5 or so in
-bending, and of 2 in shear. That of a block is 20 %: it changes little but itself. Not asked is a load that dry joints
-bear, once it was reached: a fall, or a peak behind which they gave way.
+The error is estimated from the stress itself (`masonry/estimates/meshes/`). The limit is the accuracy that was asked,
+but no less than 5 %, as an estimate is within a factor of 1.5 or so in bending, and of 2 in shear. That of a block is
+20 %: it changes little but itself. Not asked is a load that dry joints bear, once it was reached: a fall, or a peak
+behind which they gave way.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 
 from geometry.blocks import TetMesh
-from masonry.assembly.assemble import Assembly
-from masonry.configuration.parts.mesh_error import finer, mesh_error, strain_energy, tet_stresses
+from masonry.estimates.inspection import Inspection
+from masonry.estimates.meshes.stress_error import LOCK, finer
+from masonry.estimates.meshes.tet_energy import excess_energies, friction_decides
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.edge_reach import is_dry
-from masonry.laboratory.remarks.inspection import Inspection
-from masonry.rows.columns import FACTOR, stored_in
-from masonry.rows.history import Frame
+from masonry.scene.tables.specimen import Specimen
 
 LEAST, OF_BLOCK = 0.05, 0.2
 """Limits of all blocks together, and of one."""
-GAVE_WAY = 0.01
-"""Of the work of joints behind a peak, from which on what is not elastic made it one."""
-COUNTS = 0.01
-"""Share of the energy from which on a block is asked alone."""
-
-
-class Stressed(NamedTuple):
-    """Stress (T, 6) of the tets, normal and shear stress (C,) of the contacts, Pa; J that all else stores."""
-
-    tets: np.ndarray
-    normal: np.ndarray
-    shear: np.ndarray
-    rest: float
-
-    def since(self, earlier: "Stressed") -> "Stressed":
-        """Change since an earlier state; of the rest the least that it may store by itself."""
-        rest = (np.sqrt(self.rest) - np.sqrt(earlier.rest)) ** 2
-        return Stressed(self.tets - earlier.tets, self.normal - earlier.normal, self.shear - earlier.shear, float(rest))
-
-
-class TooMuch(NamedTuple):
-    """Of the elastic energy: by how much tets store too much, in all and in the block where it is most; the number of
-    that block; the error (T,) J of each tet."""
-
-    of_all: float
-    of_block: float
-    block: int
-    error: np.ndarray
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most: of all blocks, or else of one."""
-    assembly, frames = inspection.assembly, inspection.frames
-    if assembly.mesh is None or not frames:
+    assembly, mesh = inspection.assembly, inspection.assembly.mesh
+    if mesh is None or not inspection.frames or friction_decides(inspection):
         return []
-    if _friction_decides(inspection):
-        return []
-    mesh, limit = assembly.mesh, max(inspection.accuracy, LEAST)
-    energy = EnergyOfTets(assembly, mesh)
-    shares = [(energy.share(state), when) for state, when in _states(inspection, energy)]
-    worst, when = max(shares, key=lambda one: one[0].of_all)
+    limit, excesses = max(inspection.accuracy, LEAST), excess_energies(inspection, mesh)
+    worst = max(excesses, key=lambda excess: excess.of_all)
     if worst.of_all > limit:
-        sentence = (
-            f"the tets are too large for how stress varies in blocks: {when} the specimen deforms "
-            f"{_percent(energy, worst.of_all)} too little under its loads, as tets of constant strain are too stiff"
-        )
-        return [Doubt("coarse_mesh", worst.of_all, limit, sentence, _advice(energy, worst, worst.of_all, limit))]
-    worst, when = max(shares, key=lambda one: one[0].of_block)
+        words = f"the tets are too large for how stress varies in blocks: {worst.when} the specimen"
+        return [_doubt(assembly.scene.specimen, mesh, worst.error, worst.of_all, limit, words)]
+    worst = max(excesses, key=lambda excess: excess.of_block)
     if worst.of_block > OF_BLOCK:
         where = ", ".join(f"{x:.4g}" for x in assembly.model.layout.centroid[worst.block])
-        sentence = (
-            f"the tets of block {worst.block} at ({where}) m are too large: {when} it deforms "
-            f"{_percent(energy, worst.of_block)} too little under its loads, as tets of constant strain are too stiff"
-        )
-        advice = _advice(energy, worst, worst.of_block, OF_BLOCK)
-        return [Doubt("coarse_mesh", worst.of_block, OF_BLOCK, sentence, advice)]
+        words = f"the tets of block {worst.block} at ({where}) m are too large: {worst.when} it"
+        return [_doubt(assembly.scene.specimen, mesh, worst.error, worst.of_block, OF_BLOCK, words)]
     return []
 
 
-def _friction_decides(inspection: Inspection) -> bool:
-    """Whether the run is made for a load that is borne, that it reached, by dry joints: what these bear is a matter of
-    equilibrium, however blocks deform."""
-    scene, frames, peak = inspection.assembly.scene, inspection.frames, inspection.peak
-    if not all(is_dry(inspection.assembly, g) for g in range(len(inspection.assembly.model.group_names))):
-        return False
-    if FACTOR in inspection.outcome.history.rows:
-        return inspection.outcome.loading.falls is not None
-    if scene.drive is None or scene.is_large or peak + 1 >= len(frames):
-        return False
-    behind = inspection.look(peak + 1)
-    lost, work = float((behind.bent + behind.slid).sum()), float((behind.bends + behind.slides).sum())
-    return lost > GAVE_WAY * work
-
-
-class EnergyOfTets:
-    """Energy stored in tets and contacts of an assembly, by their stresses."""
-
-    def __init__(self, assembly: Assembly, mesh: TetMesh) -> None:
-        self.assembly, self.mesh = assembly, mesh
-        tets_of = np.diff(mesh.tet_start)
-        self.owner = np.repeat(np.arange(len(tets_of)), tets_of)
-        meshed = assembly.model.layout.members["tets"]
-        self.lame = np.repeat(assembly.model.bodies.tets.lame, tets_of[meshed], axis=0)
-        groups, (self.normal, self.shear) = assembly.model.groups, np.zeros((2, len(assembly.joints.area)))
-        for joint, first, end in zip(groups.properties, groups.bounds[:-1], groups.bounds[1:], strict=True):
-            self.normal[first:end], self.shear[first:end] = joint.normal_stiffness, joint.shear_stiffness
-
-    def state(self, frame: Frame, rows: dict[str, np.ndarray]) -> Stressed:
-        """That of a frame, and what its row stores besides: other blocks, bars, what damage has softened, patches."""
-        stress = tet_stresses(self.mesh, frame.nodes, self.lame, self.assembly.scene.is_large)
-        row = int(np.searchsorted(rows["step"], frame.step))
-        stored = stored_in({name: float(column[row]) for name, column in rows.items()})
-        state = Stressed(stress, frame.normal_stress, frame.shear_stress, 0.0)
-        known = strain_energy(self.mesh, stress, self.lame).sum() + self.joints(state).sum()
-        return state._replace(rest=max(stored - float(known), 0.0))
-
-    def joints(self, state: Stressed) -> np.ndarray:
-        """(C,) J that contacts store, as long as they are whole."""
-        squares = [
-            np.divide(stress**2, stiffness, out=np.zeros_like(stress), where=stiffness > 0.0)
-            for stress, stiffness in ((state.normal, self.normal), (state.shear, self.shear))
-        ]
-        return np.asarray(0.5 * self.assembly.joints.area * (squares[0] + squares[1]))
-
-    def share(self, state: Stressed) -> TooMuch:
-        """How much too much tets store, of all and of each block with half of the joints on it."""
-        joints, count = self.assembly.joints, self.assembly.specimen.blocks.count
-        stored, error = mesh_error(self.mesh, state.tets, self.lame)
-        in_joints = self.joints(state)
-        total = stored.sum() + in_joints.sum() + state.rest
-        sides = (np.bincount(block, in_joints, count) for block in (joints.block_a, joints.block_b))
-        around = np.bincount(self.owner, stored, count) + 0.5 * sum(sides)
-        own = np.bincount(self.owner, error, count)
-        of_block = np.where(around > COUNTS * total, own / np.maximum(around, 1e-300), 0.0)
-        block = int(np.argmax(of_block))
-        return TooMuch(float(own.sum() / max(total, 1e-300)), float(of_block[block]), block, error)
-
-
-def _states(inspection: Inspection, energy: EnergyOfTets) -> list[tuple[Stressed, str]]:
-    """The states that are asked, and when they were."""
-    frames, assembly, rows = inspection.frames, inspection.assembly, inspection.outcome.history.rows
-    peak = inspection.peak
-    if assembly.recording.is_shaken:
-        blocks = [rows["elastic_blocks"][np.searchsorted(rows["step"], frame.step)] for frame in frames[: peak + 1]]
-        return [(energy.state(frames[int(np.argmax(blocks))], rows), "on shaking ground")]
-    last = energy.state(frames[peak], rows)
-    settled = int(np.argmin([abs(frame.step - assembly.plan.settle) for frame in frames]))
-    if settled >= peak or not (assembly.scene.drive is not None or FACTOR in rows):
-        return [(last, "at the peak" if assembly.scene.drive is not None else "at the end")]
-    first = energy.state(frames[settled], rows)
-    return [(first, "under its dead loads"), (last.since(first), "on the way to the peak")]
-
-
-def _percent(energy: EnergyOfTets, share: float) -> str:
-    """Of blocks of one layer of tets, whose stress shows little of what it lacks, it is the least."""
-    least = "at least" if energy.assembly.scene.specimen.mesh == "fan" else "about"
-    return f"{least} {100.0 * min(share, 0.99):.2g} %"
-
-
-def _advice(energy: EnergyOfTets, worst: TooMuch, share: float, limit: float) -> str:
-    specimen = energy.assembly.scene.specimen
-    return finer(energy.mesh, worst.error, share, limit, specimen.mesh, specimen.mesh_size)
+def _doubt(specimen: Specimen, mesh: TetMesh, error: np.ndarray, ratio: float, limit: float, words: str) -> Doubt:
+    about = "at least" if specimen.mesh == "fan" else "about"  # one layer of tets shows little of what it lacks
+    sentence = f"{words} deforms {about} {100.0 * min(ratio, 0.99):.2g} % too little under its loads, {LOCK}"
+    advice = finer(mesh, error, ratio, limit, specimen.mesh, specimen.mesh_size)
+    return Doubt("coarse_mesh", ratio, limit, sentence, advice)

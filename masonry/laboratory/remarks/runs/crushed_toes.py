@@ -6,8 +6,8 @@ six is told so whatever happened. What few points make of joints whose edge crus
 """
 
 from masonry.assembly.contact_pairs import points_along
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 
 FEWEST = 6
 """Points along an edge of a patch that may crush."""

@@ -3,8 +3,8 @@
 Below about 0.8 of its volume a block of St Venant-Kirchhoff softens under pressure, and may turn inside out.
 """
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.collapse import Strains
 
 SQUEEZED = 0.8

@@ -4,8 +4,8 @@ them: what lies still in a laboratory leaps on, and may knock down what stood.
 Asked of shaken scenes in large displacement in which a block has fallen, or has left the floor.
 """
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.collapse import Fallen, LeftFloor
 
 

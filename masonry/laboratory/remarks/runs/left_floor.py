@@ -1,7 +1,7 @@
 """Did blocks leave the floor? What leaves it falls on for ever, and its energy is counted."""
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.collapse import LeftFloor
 
 

@@ -4,8 +4,8 @@ a result, what is read after it is not.
 Asked of shaken scenes in large displacement without [floor].
 """
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.collapse import Fallen
 
 ADVICE = "add an empty [floor], and a table [contact.default] or those of the groups that may fall on it"

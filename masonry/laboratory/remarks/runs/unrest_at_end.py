@@ -4,8 +4,8 @@ most, by the kinetic energy over its largest.
 The limits are those by which such a run ends (`masonry/rows/rest_criterion.py`).
 """
 
+from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
-from masonry.laboratory.remarks.inspection import Inspection
 from masonry.monitors.unrest import left_of_motion
 from masonry.rows.rest_criterion import ENDED
 

@@ -6,10 +6,9 @@ Of a motion in real time alone, and of blocks that nothing holds. 5 % more inert
 
 import numpy as np
 
-from geometry.blocks import TetMesh
 from masonry.assembly.assemble import Assembly
+from masonry.estimates.meshes.inertia import inertia_excess
 from masonry.judgement.doubt import Doubt
-from masonry.model.layout import tet_volumes
 
 LIMIT, SIZE = 0.05, "specimen.mesh_size"
 OF_FAN = f'take specimen.mesh = "gmsh" with a {SIZE} that is a fraction of the block'
@@ -33,14 +32,3 @@ def doubts(assembly: Assembly) -> list[Doubt]:
     )
     fan = assembly.scene.specimen.mesh == "fan"
     return [Doubt("mesh_inertia", float(excess[worst]), LIMIT, sentence, OF_FAN if fan else "take a smaller " + SIZE)]
-
-
-def inertia_excess(mesh: TetMesh, centroid: np.ndarray) -> np.ndarray:
-    """(B,) by what share the polar moment of masses at the nodes, a quarter of each tet, is larger than that of the
-    tets; 0 for blocks without. Of a tet it is V/20 (sum |r|^2 + |sum r|^2), at its corners V/4 sum |r|^2."""
-    block = np.repeat(np.arange(len(centroid)), np.diff(mesh.tet_start))
-    arm, volume = mesh.nodes[mesh.tets] - centroid[block][:, None], tet_volumes(mesh)
-    squares = np.einsum("tki,tki->t", arm, arm)
-    spread = (squares + np.sum(arm.sum(axis=1) ** 2, axis=1)) / 20.0
-    lumped, exact = (np.bincount(block, volume * part, len(centroid)) for part in (squares / 4.0, spread))
-    return np.asarray(np.divide(lumped - exact, exact, out=np.zeros_like(exact), where=exact > 0.0))

@@ -2,12 +2,9 @@
 (`masonry/detection/narrow.py`), so that an edge of less than half of that touches nothing.
 """
 
-from math import acos, degrees
-
 import numpy as np
 
-from geometry.blocks import Blocks
-from geometry.polyhedra.measures import edges_by_place, face_areas_normals_centroids
+from geometry.polyhedra.measures import sharpest_edge
 from masonry.assembly.assemble import Assembly
 from masonry.judgement.doubt import Doubt
 
@@ -28,21 +25,3 @@ def doubts(assembly: Assembly) -> list[Doubt]:
         f"sharper than {LIMIT:g} deg sink into what they meet"
     )
     return [Doubt("sharp_edge", angle, LIMIT, sentence, "take another kinematics for it")]
-
-
-def sharpest_edge(blocks: Blocks, which: np.ndarray) -> tuple[int, float]:
-    """The block, of those in which (B,), with the sharpest edge that sticks out, and the angle there in degrees."""
-    _, normal, centre = face_areas_normals_centroids(blocks)
-    owner = blocks.face_block()
-    face, _, ends = edges_by_place(blocks)
-    keys = np.column_stack([owner[face], ends])
-    order = np.lexsort(keys.T)
-    same = np.flatnonzero(np.all(keys[order[1:]] == keys[order[:-1]], axis=1))
-    one, two = face[order[same]], face[order[same + 1]]
-    out = np.einsum("ni,ni->n", normal[one], centre[two] - centre[one]) < 0.0
-    one, two = one[out & which[owner[one]]], two[out & which[owner[one]]]
-    if not len(one):
-        return 0, 180.0
-    cosine = np.einsum("ni,ni->n", normal[one], normal[two])
-    sharpest = int(np.argmin(cosine))
-    return int(owner[one[sharpest]]), 180.0 - degrees(acos(float(np.clip(cosine[sharpest], -1.0, 1.0))))

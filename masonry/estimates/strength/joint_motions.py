@@ -10,13 +10,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from geometry.joints.faces.strips import Section, depth_of, of_points, spread
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
-from masonry.estimates.joint_faces import Faces, Look, Shear, corners_of, law_of, points_of
-from masonry.estimates.joint_planes import PlanePoints, axes_across, borne_in_plane, shear_strengths, softening
-from masonry.estimates.joint_pressures import StressBounds, pressures
-from masonry.estimates.joint_sections import Section, depth_of, envelope, moments, of_points, spread, strength
-from masonry.laws.state import JointProperties
+from masonry.estimates.bearing_points import points_of
+from masonry.estimates.joint_faces import Faces, corners_of, is_elastic, law_of
+from masonry.estimates.joint_loads import Look, Shear
+from masonry.estimates.strength.joint_planes import PlanePoints, axes_across, borne_in_plane, shear_strengths, softening
+from masonry.estimates.strength.joint_pressures import StressBounds, pressures
+from masonry.estimates.strength.joint_sections import envelope, moments, strength
 from masonry.rows.history import Frame
 
 MANY, FEWER = 12, 4
@@ -56,7 +58,7 @@ def bent(
     force = float(now.force[face])
     parameters, joint = law_of(assembly, faces, face)
     limit = float(joint.tensile_strength or 0.0)
-    if length == 0.0 or _is_elastic(joint) or (limit == 0.0 and force >= 0.0):
+    if length == 0.0 or is_elastic(joint) or (limit == 0.0 and force >= 0.0):
         return None
     normal, middle = faces.normal[face], faces.middle[face]
     along = now.turn[face] / length
@@ -100,7 +102,7 @@ def slid(
     """A joint face that is sheared at the peak; None where it has no limit, or bears what it carries by many points."""
     joints, contacts = assembly.joints, faces.contacts(face)
     parameters, joint = law_of(assembly, faces, face)
-    if _is_elastic(joint) or joint.shear_stiffness <= 0.0:
+    if is_elastic(joint) or joint.shear_stiffness <= 0.0:
         return None
     normal, middle = faces.normal[face], faces.middle[face]
     axes = axes_across(normal)
@@ -122,11 +124,7 @@ def slid(
         return borne_in_plane(PlanePoints(place, area, *shear_strengths(left, on)), law, force, twist, farthest)
 
     many = bears(*by_many(faces.polygons[face]))
-    gave = bool(now.slid[face] > SLID * now.slides[face])
+    gave = bool(now.inelastic.sliding[face] > SLID * now.work.sliding[face])
     if not 0.0 < many < np.inf or (not gave and many >= 1.0):
         return None
     return Borne(contacts, True, gave, shares, 1.0 / many, lambda point, area: bears(point, area) / many)
-
-
-def _is_elastic(joint: JointProperties) -> bool:
-    return joint.tensile_strength is None and joint.tan_friction is None

@@ -6,7 +6,7 @@ turns differ do not bear most at the same time: what few points bear more in one
 
 import numpy as np
 
-from masonry.estimates.joint_motions import Borne
+from masonry.estimates.strength.joint_motions import Borne
 
 LEAST, MOST, COARSE, FINE = 0.05, 1e5, 240, 24
 """Multiples of the turns at the peak between which the largest load lies, by few points or by many: a joint that is

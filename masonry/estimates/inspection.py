@@ -5,7 +5,8 @@ from functools import cached_property
 import numpy as np
 
 from masonry.assembly.assemble import Assembly
-from masonry.estimates.joint_faces import Faces, Look, Shear, faces_of, look_at, shear_of
+from masonry.estimates.joint_faces import Faces, faces_of
+from masonry.estimates.joint_loads import Look, Shear, look_at, shear_of
 from masonry.rows.columns import FACTOR
 from masonry.rows.history import Frame
 from masonry.timeloop.run_outcome import Outcome
@@ -13,6 +14,8 @@ from masonry.timeloop.run_outcome import Outcome
 LEAST, WITHOUT = 0.015, 0.02
 """Least error of a strength that an estimate from joint faces can tell, whatever accuracy is asked for; that from which
 on it is told, if none is."""
+GAVE_WAY = 0.01
+"""Of the work of joints behind a peak, from which on what is not elastic made it one."""
 
 
 class Inspection:
@@ -57,6 +60,14 @@ class Inspection:
         else:
             step = int(rows["step"][-1])
         return max(int(np.searchsorted(steps, step, side="right")) - 1, 0)
+
+    @property
+    def gave_way(self) -> bool:
+        """Whether joints gave way behind the peak of a drive."""
+        if self.assembly.scene.drive is None or self.peak + 1 >= len(self.frames):
+            return False
+        behind = self.look(self.peak + 1)
+        return behind.inelastic.total > GAVE_WAY * behind.work.total
 
     @property
     def accuracy(self) -> float:

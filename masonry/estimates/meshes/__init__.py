@@ -1,0 +1,1 @@
+"""What tets of constant strain store too much, and how much too heavy they turn."""
