@@ -14,7 +14,6 @@ from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.checks import free_rocking as may_rock
 from masonry.laboratory.remarks.runs import (
     blow,
-    closed_patches,
     hard_impacts,
     left_floor,
     rocking,
@@ -22,6 +21,7 @@ from masonry.laboratory.remarks.runs import (
     uncaught_fall,
     unrest_at_end,
 )
+from masonry.laboratory.remarks.runs.closed_joints import dry_patches
 from masonry.laboratory.remarks.scenes import (
     coarse_shaking,
     dilation,
@@ -189,7 +189,7 @@ def test_dry_joints_decide_where_no_block_has_moved_by_a_thousandth_of_the_small
     assembly = on_a_slab()
     edge = (SIDE**2 * HEIGHT) ** (1.0 / 3.0)
     corners = moved(assembly, 1, 0.0, (0.0, -share * 1e-3 * edge, 0.0))
-    doubts = closed_patches.doubts(inspected(assembly, [frame(assembly), frame(assembly, 1, corners=corners)]))
+    doubts = dry_patches.doubts(inspected(assembly, [frame(assembly), frame(assembly, 1, corners=corners)]))
     assert said(doubts, "no block moved by more than a thousandth of its size") == told
 
 

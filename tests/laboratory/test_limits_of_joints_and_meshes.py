@@ -9,20 +9,14 @@ import pytest
 from geometry.joints.faces.strips import Section
 from geometry.joints.faces.whole_faces import reach_along
 from masonry.assembly.assemble import assemble
-from masonry.estimates import closed_joints as estimated
-from masonry.estimates import hinged_joints
+from masonry.estimates import closed_joints, hinged_joints
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.joint_loads import JointWork
 from masonry.estimates.meshes import tet_energy
 from masonry.estimates.strength import strength_error
 from masonry.laboratory.remarks.checks import closed_joints_bend
-from masonry.laboratory.remarks.runs import (
-    closed_joints,
-    closed_joints_at_corners,
-    few_points,
-    hinge_moments,
-    turned_beds,
-)
+from masonry.laboratory.remarks.runs import few_points, hinge_moments, turned_beds
+from masonry.laboratory.remarks.runs.closed_joints import corner_friction, elastic_movement
 from masonry.laboratory.remarks.scenes.noisy_records import peak_of_every_second_sample
 from masonry.scene import load
 from tests.judgement.frames import frame, on_a_slab
@@ -62,9 +56,9 @@ def test_joints_are_asked_to_the_accuracy_but_no_less_than_three_halves_of_a_per
 @pytest.mark.parametrize(("sign", "words"), [(1.0, "too stiffly .* % too small"), (-1.0, "too softly .* % too large")])
 def test_closed_joints_may_bend_too_stiffly_or_too_softly_by_the_accuracy(share, told, sign, words, monkeypatch):
     error = sign * share * 0.03
-    monkeypatch.setattr(closed_joints, "strength_decides", lambda inspection: False)
-    monkeypatch.setattr(estimated, "error_in_frame", lambda inspection, looks, number: error * (number == 1))
-    monkeypatch.setattr(closed_joints, "advice_for", lambda assembly: "take more")
+    monkeypatch.setattr(elastic_movement, "strength_decides", lambda inspection: False)
+    monkeypatch.setattr(closed_joints, "error_in_frame", lambda inspection, looks, number: error * (number == 1))
+    monkeypatch.setattr(elastic_movement, "advice_for", lambda assembly: "take more")
     run = SimpleNamespace(
         frames=[0, 1, 2],
         assembly=SimpleNamespace(scene=SMALL, model=None),
@@ -73,7 +67,7 @@ def test_closed_joints_may_bend_too_stiffly_or_too_softly_by_the_accuracy(share,
         look=lambda number: look(sliding=0.2 if number == 1 else 0.1),
         faces=SimpleNamespace(patch=np.zeros(3), softness=np.ones((3, 3, 3))),
     )
-    doubts = closed_joints.doubts(run)
+    doubts = elastic_movement.doubts(run)
     assert bool(doubts) == told and all(np.sign(doubt.value) == sign for doubt in doubts)
     assert all(part in doubt.sentence for doubt in doubts for part in words.split(" .* "))
 
@@ -92,8 +86,8 @@ def test_a_strength_that_dry_joints_with_points_at_their_corners_bear_by_frictio
     accuracy, rubs, twists, few, told, monkeypatch
 ):
     """Shares of friction and of twists in the work of 1 J; a triangle beside a square and one of more points."""
-    monkeypatch.setattr(closed_joints_at_corners, "strength_decides", lambda inspection: True)
-    monkeypatch.setattr(closed_joints_at_corners, "advice_for", lambda assembly: "take more")
+    monkeypatch.setattr(corner_friction, "strength_decides", lambda inspection: True)
+    monkeypatch.setattr(corner_friction, "advice_for", lambda assembly: "take more")
     polygons = [[np.zeros((n, 3))] for n in (4, 4, 3)]
     faces = SimpleNamespace(
         patch=np.zeros(3),
@@ -107,7 +101,7 @@ def test_a_strength_that_dry_joints_with_points_at_their_corners_bear_by_frictio
         frames=[0], assembly=SimpleNamespace(scene=SMALL, model=None), accuracy=accuracy, peak=0, faces=faces,
         look=lambda _: look(slid=rubs), shear=lambda _: shear, strength="peak",
     )  # fmt: skip
-    doubts = closed_joints_at_corners.doubts(run)
+    doubts = corner_friction.doubts(run)
     assert said(doubts, "joints slide and twist on contact points at their corners alone") == told
 
 
@@ -122,7 +116,7 @@ def test_a_strength_decides_where_a_hundredth_of_the_work_behind_the_peak_is_not
     )
     outcome.history.frames, run.__dict__["peak"], run._looks[1] = [0, 1], 0, behind
     assert run.gave_way is decides
-    assert estimated.strength_decides(run) is decides
+    assert closed_joints.strength_decides(run) is decides
     assert tet_energy.friction_decides(run) is decides
 
 
@@ -130,13 +124,13 @@ def test_a_strength_decides_where_a_hundredth_of_the_work_behind_the_peak_is_not
 def test_joints_hardly_bend_that_move_their_blocks_by_less_than_a_tenth_of_their_way(share, counts, monkeypatch):
     """The second joint is a small part of all work, and makes half of the movement of its own block."""
     of_turns = iter([np.array([0.01, share * 0.1]), np.array([0.0, 0.5])])
-    monkeypatch.setattr(estimated, "_beside_its_block", lambda inspection, number, turn: next(of_turns))
-    monkeypatch.setattr(estimated, "_closed", lambda inspection, looks, number: np.ones(2))
-    monkeypatch.setattr(estimated, "_work", lambda inspection, now, number: 1e6)
+    monkeypatch.setattr(closed_joints, "_beside_its_block", lambda inspection, number, turn: next(of_turns))
+    monkeypatch.setattr(closed_joints, "_closed", lambda inspection, looks, number: np.ones(2))
+    monkeypatch.setattr(closed_joints, "_work", lambda inspection, now, number: 1e6)
     shear = SimpleNamespace(twist=np.zeros(2), turn=np.zeros(2))
     faces = SimpleNamespace(normal=np.tile([0.0, 0.0, 1.0], (2, 1)), softness=np.tile(np.eye(3), (2, 1, 1)))
     now = SimpleNamespace(moment=np.array([[0.0, 1.0, 0.0], [-2.0, 0.5, 0.0]]), turn=np.zeros((2, 3)))
-    off = estimated.error_in_frame(SimpleNamespace(faces=faces, shear=lambda number: shear), [now], 0)
+    off = closed_joints.error_in_frame(SimpleNamespace(faces=faces, shear=lambda number: shear), [now], 0)
     assert off == pytest.approx(1.0 / 3.0 if counts else 0.0)
 
 
@@ -146,7 +140,7 @@ def test_the_turn_of_a_joint_moves_the_farthest_corner_of_the_block_beyond_it():
     corners = np.zeros_like(assembly.specimen.blocks.points)
     corners[assembly.specimen.blocks.points[:, 2] > 0.0] = [0.0, 3e-3, 0.0]
     run = inspected(assembly, [frame(assembly, corners=corners)])
-    ratio = estimated._beside_its_block(run, 0, np.array([[0.0, 2e-3, 0.0]]))
+    ratio = closed_joints._beside_its_block(run, 0, np.array([[0.0, 2e-3, 0.0]]))
     reach = 0.05 + np.linalg.norm([0.1, 0.1, 0.05])
     assert ratio == pytest.approx([2e-3 * reach / 3e-3])
 

@@ -1,1 +1,1 @@
-"""What tets of constant strain store too much, and how much too heavy they turn."""
+"""Energy that tets of constant strain store too much, and inertia of masses at their corners."""

@@ -1,1 +1,1 @@
-"""What joints bear by their contact points, beside what stresses spread over their areas bear."""
+"""Strength of joints by their contact points, beside that of stresses spread over their areas."""

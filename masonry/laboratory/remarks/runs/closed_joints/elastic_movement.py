@@ -2,7 +2,7 @@
 the corners alone they do so three times as stiffly as by an even stress, by Gauss points once.
 
 The limit is the accuracy that was asked for (`masonry/estimates/closed_joints.py`). Where a run is made for a strength,
-and joints gave way, few_points asks what these bear, and closed_joints_at_corners what rubs.
+and joints gave way, few_points asks what these bear, and corner_friction what rubs.
 """
 
 from masonry.estimates.closed_joints import may_turn_otherwise, movement_error, strength_decides
@@ -10,12 +10,12 @@ from masonry.estimates.elastic_joints import bend_or_twist
 from masonry.estimates.inspection import Inspection
 from masonry.judgement.doubt import Doubt
 from masonry.laboratory.remarks.bending_points import advice_for
-from masonry.laboratory.remarks.runs import closed_patches
+from masonry.laboratory.remarks.runs.closed_joints import dry_patches
 
 
 def doubts(inspection: Inspection) -> list[Doubt]:
     """One at most."""
-    if not inspection.frames or closed_patches.doubts(inspection) or not may_turn_otherwise(inspection):
+    if not inspection.frames or dry_patches.doubts(inspection) or not may_turn_otherwise(inspection):
         return []
     if strength_decides(inspection):
         return []
