@@ -7,6 +7,7 @@ The limit is the accuracy that the scene asks for, but no less than the 1.5 % of
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.strength.strength_error import bears_on_nodes, enough_points, strength_error
 from masonry.judgement.doubt import Doubt
+from masonry.laboratory.remarks.bending_points import ON_NODES
 
 TWICE = 1.5
 """Times a strength from which on its error is told as a factor."""
@@ -22,9 +23,8 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         f"the contact points of joints that {moves} are too few: a joint bears {error.borne:.3g} times the {load} that "
         f"it would bear with many, and the {inspection.strength} may be {size_of(error.ratio)}"
     )
-    advice = "take a smaller specimen.mesh_size, as their contact points are the nodes of the mesh"
-    if not bears_on_nodes(inspection, error):
-        advice = f"take {enough_points(inspection, error.bearing, limit)}"
+    meshed = bears_on_nodes(inspection, error)
+    advice = ON_NODES if meshed else f"take {enough_points(inspection, error.bearing, limit)}"
     return [Doubt("few_points", error.ratio - 1.0, limit, sentence, advice)]
 
 
