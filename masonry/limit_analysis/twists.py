@@ -2,7 +2,7 @@
 
 A pressure may lie at the corners, so that a limit analysis is right to reckon with it; stresses that follow the
 stiffness of a joint do not. The factor is too high by the sum over the joints of the error of what they bear in their
-plane (`estimates/joint_planes.py`) times their share of the work, as that of a run is (`few_points`).
+plane (`estimates/strength/joint_planes.py`) times their share of the work, as that of a run is (`few_points`).
 """
 
 import numpy as np
