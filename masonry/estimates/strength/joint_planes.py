@@ -55,7 +55,7 @@ def softening(parameters: Any, joint: JointProperties, pressure: float, farthest
     if peak[0] > residual[0]:
         with np.errstate(all="ignore"):
             at = (float(peak[0]), float(residual[0]), float(pressure))
-            left = np.array([float(shear_intact(parameters, joint, 1.0, s, *at)) for s in slip])
+            left[1:] = [float(shear_intact(parameters, joint, 1.0, s, *at)) for s in slip[1:]]
     return ShearCurve(float(joint.shear_stiffness), slip, np.clip(np.nan_to_num(left), 0.0, 1.0))
 
 
