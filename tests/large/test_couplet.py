@@ -39,6 +39,16 @@ def test_the_curve_is_that_of_small_displacement(pace):
         assert line not in small.history.rows
 
 
+def test_what_patches_bear_once_the_bonds_are_gone_is_not_held_against_the_peak_of_the_bonds():
+    """`damping took 70 % of the force at the peak`: what is left bears 70 % less."""
+    loosened = {"drive.displacement": "1 mm", "confinement": "0.3 MPa", "law": "linear"}
+    result = laboratory.run(scene.load("couplet", BASE | loosened | {"displacements": "large"}))
+    assert result.summary["peak_stress_pa"] == pytest.approx(0.87e6 + 1.01 * 0.3e6, rel=1e-3)
+    assert result.summary["final_stress_pa"] == pytest.approx(0.73 * 0.3e6, rel=1e-6)
+    assert result.summary["control"]["drag_at_peak"] < 1e-6
+    assert result.verdict == "sound", result.doubts
+
+
 def test_the_word_small_changes_no_bit():
     plain, said = couplet("steps").history.rows, couplet("steps", displacements="small").history.rows
     assert plain.keys() == said.keys()

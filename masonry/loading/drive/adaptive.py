@@ -340,7 +340,7 @@ class AdaptiveLoading(Loading):
         towards = -1.0 if (*self.plan.reversals, self.plan.displacement)[0] < 0.0 else 1.0
         highest = int(np.argmax(towards * force))
         held_up = float(drag[max(highest - 1, 0) : highest + 1].max())
-        if self.model.dry:
+        if highest >= len(force) - len(self.dry.rows):  # else bonds bore the peak, before patches took their place
             held_up = max(held_up, self.dry.excess(peak))
         return AdaptiveOutcome(
             accuracy=self.plan.accuracy,
