@@ -181,9 +181,9 @@ class ScheduledLoading(Loading):
             self.watch.see(stored_in(terms))
         if self.program.rest_from is not None:
             self.most = max(self.most, terms["kinetic"])
-            rests = terms["kinetic"] <= ENDED.energy * self.most and self.each_rests()
-            self.still = self.still + 1 if rests else 0
-            if self.done >= self.program.rest_from and self.still >= ENDED.looks and self.most > 0.0:
+            still = terms["kinetic"] <= ENDED.energy * self.most and self.each_rests()
+            self.still = self.still + 1 if still and self.done > self.program.rest_from else 0
+            if self.still >= ENDED.looks and self.most > 0.0:
                 self.last = self.row_due()
 
     def each_rests(self) -> bool:

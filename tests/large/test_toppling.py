@@ -48,6 +48,17 @@ def test_it_stays_where_friction_and_width_are_enough(half, high, friction):
     assert rows["kinetic"][-1] < 1e-6 * rows["kinetic"].max()
 
 
+def test_a_block_that_stood_at_rest_before_it_is_thrown_slides_to_its_end():
+    """v^2 / (2 mu g) by hand; the run ended a row after the throw, as all had been at rest for long before."""
+    block = box("block", (-0.2, -0.15, 0.0), (0.4, 0.3, 0.1), "units", 1)
+    thrown = GAUGES + '[[motion]]\non = "block"\nvelocity = ["0.3 m/s", "-0.1 m/s", "0 m/s"]\n'
+    ends = {"solver.until": "rest"}
+    result = laboratory.run(dry([slab(), block], 0.45, duration=2.0, settle=3000, rows=2000, more=thrown, changes=ends))
+    far = (0.3**2 + 0.1**2) / (2.0 * 0.45 * G)
+    assert result.history.rows["x"][-1] == pytest.approx(far * 0.3 / hypot(0.3, 0.1), rel=0.01)
+    assert result.history.rows["time"][-1] < 1.9, "at rest, before its duration"
+
+
 def test_it_topples_about_its_lower_edge_where_it_is_slender():
     half, high = 0.05, 0.15
     result = on_a_slope(half, high, 0.8)
