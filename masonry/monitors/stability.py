@@ -14,12 +14,14 @@ from masonry.model.kinds import dof_words
 from masonry.model.model import Model
 from masonry.monitors.observer import Observer, View
 from masonry.monitors.snap_back_watch import SnapBack
+from masonry.rows.columns import stored_in
 from masonry.runtime.state_file import State
 
 RINGING = 100.0
 """Kinetic energy above this multiple of the external work is an instability: a stable step at 0.99 keeps below 50."""
 TORN_LEDGER = 0.2
-"""Share of the external work by which the two sums of the dissipation may differ before a run is stopped."""
+"""Share of the external work by which the two sums of the dissipation may differ before a run is stopped, beside what
+they differ by in rows that set as much of what is stored free: what snaps does so within a few steps."""
 STRETCHED = 1e-10
 """Share of the smallest block by which the stiffest bar is stretched at the least work that is looked at, if there are
 bars. The force of a bar that is pulled aside from rest grows as the third power of the way: over its first steps the
@@ -35,14 +37,13 @@ FAST = 0.05
 class Watch(Observer):
     """Stops a run whose numbers can no longer be trusted, and names the block to blame."""
 
-    REMEMBERED = ("rotation", "work")
+    REMEMBERED = ("rotation", "work", "stored", "torn", "snapped")
 
     def __init__(self, model: Model, rotation_limit: float) -> None:
         self.model = model
         self.configuration = configuration_of(model)
         self.rotation_limit = inf if self.configuration.any_size else rotation_limit
-        self.rotation = 0.0
-        self.work = 0.0
+        self.rotation = self.work = self.stored = self.torn = self.snapped = 0.0
         self.size = smallest_block(model)
         self.leap = self.configuration.leap * self.size
         self.arm = np.array([1.0] * 3 + [self.size] * 9)
@@ -86,8 +87,11 @@ class Watch(Observer):
         terms = view.terms
         self.work = max(self.work, abs(terms["external_work"]))
         work = self.work + (abs(terms["damping"]) if model.dry else 0.0)
-        torn = abs(open_in_contacts(terms))
-        if self.work > self.least and (abs(terms["kinetic"]) > RINGING * work or torn > TORN_LEDGER * work):
+        torn, stored = open_in_contacts(terms), stored_in(terms)
+        self.snapped += min(abs(torn - self.torn), max(self.stored - stored, 0.0))
+        self.torn, self.stored = torn, stored
+        open_ = abs(torn) - self.snapped
+        if self.work > self.least and (abs(terms["kinetic"]) > RINGING * work or open_ > TORN_LEDGER * work):
             self._stop_unstable(step)
         return {"rotation": self.rotation}
 

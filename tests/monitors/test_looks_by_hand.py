@@ -74,6 +74,16 @@ def test_a_run_is_stopped_by_motion_and_by_energies_that_cannot_be(share, too_mu
 
 
 @pytest.mark.parametrize(("share", "too_much"), EITHER_SIDE)
+def test_a_run_goes_on_where_the_two_sums_part_as_much_is_set_free_at_once(share, too_much):
+    """Of 3 J that are stored 1 J is set free, and as much is in no sum; a fifth of the work may be so besides."""
+    model = couplet().model
+    watched = Watch(model, 0.02)
+    assert not stops(watched, model, external_work=4.0, contact_work=3.0, elastic_contacts=3.0)
+    open_ = 1.0 + share * 0.8
+    assert stops(watched, model, external_work=4.0, contact_work=2.0 + open_, elastic_contacts=2.0) == too_much
+
+
+@pytest.mark.parametrize(("share", "too_much"), EITHER_SIDE)
 def test_a_block_may_turn_by_the_limit(share, too_much):
     model = couplet().model
     model.bodies.rigid.q[1, 4] = -share * 0.02
