@@ -12,9 +12,6 @@ from masonry.rows.peak import before_a_fall, only_rises
 from masonry.scene import Scene
 from masonry.timeloop.run_outcome import Outcome
 
-LITTLE = 1e-2
-"""Share of the external work against which the bookings of the laws are held where they dissipated less: friction that
-dilates by its own angle dissipates nothing, however much slides."""
 Rows = dict[str, np.ndarray]
 
 
@@ -35,7 +32,6 @@ class Scales:
     taken           J, what damping took since then
     dissipated      J, by cracks and friction
     lost            J, by cracks, friction and damping
-    booked          J, against which the bookings of the laws are held
     """
 
     in_real_time: bool
@@ -51,7 +47,6 @@ class Scales:
     taken: float
     dissipated: float
     lost: float
-    booked: float
 
 
 def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: Outcome) -> Scales:
@@ -78,7 +73,6 @@ def scales_of(scene: Scene, model: Model, plan: Plan, section: float, outcome: O
         taken=taken,
         dissipated=dissipated,
         lost=dissipated + max(taken, 0.0),
-        booked=moved if scene.is_large else max(abs(dissipated), LITTLE * work),  # what falls dissipates little
     )
 
 
