@@ -82,6 +82,7 @@ def converge(
     out: str | Path | None = None,
     of: Sequence[str] = (),
     to: str | float | None = None,
+    cost: float | None = None,
     workers: int | None = None,
     tell: Callable[[str], None] | None = None,
     form: str = "png",
@@ -92,6 +93,7 @@ def converge(
     out      folder of results; without it the next free results/SCENE-convergence-N
     of       numbers of summary.json by dotted name; peak, displacement there and so on where none is named
     to       an error, "1 %" or 0.01: settings whose numbers have no larger one are chosen as well
+    cost     times the scene itself that all other runs may take: 6 where none is given, with tets 8
     workers  processes (default: all processors); tell is called with a line for each run that ends
     form     of the picture: "png", "pdf" or "svg"
     What comes back prints as `masonry converge` does; `.errors` has value, limit, error and the half_width of the 95 %
@@ -103,12 +105,13 @@ def converge(
     True
     """
     from masonry.importing.handed_blocks import scene_of
-    from masonry.laboratory.arguments import called, path, whole, words
+    from masonry.laboratory.arguments import called, number, path, whole, words
     from masonry.sweeps.convergence.convergence import converge as refine
 
     folder = None if out is None else path("out", out)
     workers = None if workers is None else whole("workers", workers, 1, 10_000)
-    return refine(scene_of(scene), folder, words("of", of), to, None, workers, called("tell", tell, None), form=form)
+    cost, tell = None if cost is None else number("cost", cost, 1.0, 1e6), called("tell", tell, None)
+    return refine(scene_of(scene), folder, words("of", of), to, cost, workers, tell, form=form)
 
 
 def export(scene: "SceneLike", to: str | Path, overwrite: bool = False) -> Path:

@@ -46,6 +46,12 @@ def test_a_motion_has_its_time_step_and_no_pace():
     assert "pace" not in [r.name for r in resolutions_of(scene)]
 
 
+def test_a_step_that_is_given_is_divided_itself():
+    scene = load("block-rocking", {"solver.time_step": "2e-5 s"})
+    assert settings(scene, "time step") == {"solver.time_step": "1e-05 s"}
+    changed(scene, settings(scene, "time step"))
+
+
 def test_an_accuracy_ends_at_the_finest_that_there_is():
     assert settings(load("couplet", {"drive.accuracy": 1.5e-4}), "pace") is None
 

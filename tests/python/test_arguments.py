@@ -77,6 +77,11 @@ def test_a_sensitivity_says_which_of_its_words_is_wrong(words):
     refused(lambda: masonry.sensitivity("couplet", **words), f"{next(iter(words))} = ")
 
 
+@pytest.mark.parametrize("words", [{"of": 5}, {"cost": "2"}, {"cost": 0.5}, {"workers": 0}, {"out": 5}, {"tell": 1}])
+def test_a_convergence_says_which_of_its_words_is_wrong(words):
+    refused(lambda: masonry.converge("couplet", **words), f"{next(iter(words))} = ")
+
+
 def test_kinds_of_variants_may_stand_in_one_text_as_on_the_command_line():
     refused(lambda: masonry.sensitivity("couplet", only="pace,cars"), "--only cars: no such kind")
 

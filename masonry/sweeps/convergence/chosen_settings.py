@@ -8,6 +8,7 @@ from masonry.scene import Scene, changed
 from masonry.scene.tables.loads_and_supports import accuracy_share
 from masonry.sweeps.convergence.campaign import Campaign, Refinement, merged
 from masonry.sweeps.convergence.numerical_errors import NumericalError
+from masonry.sweeps.convergence.resolutions import FINEST_ACCURACY
 from masonry.sweeps.run_store import Row
 
 FILE = "converged.toml"
@@ -118,7 +119,14 @@ def _refined(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[
         if parts[resolution.name] > counts:
             factor = next(factor for factor in resolution.factors if factor > 1.0)
             settings = merged(settings, resolution.settings(factor) or {})
-    return settings
+    return settings | _narrower(scene, to)
+
+
+def _narrower(scene: Scene, to: float) -> dict[str, Any]:
+    """The interval of a load factor, where half of it alone is near the error asked for."""
+    accuracy = scene.limit.accuracy if scene.limit is not None else None
+    is_wide = isinstance(accuracy, float) and accuracy > COUNTS * to
+    return {"limit.accuracy": max(COUNTS * to, FINEST_ACCURACY)} if is_wide else {}
 
 
 def _coarser(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[str, Any]:

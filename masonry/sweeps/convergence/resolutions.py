@@ -40,7 +40,7 @@ def resolutions_of(scene: Scene) -> list[Resolution]:
 
 def jitter(scene: Scene, factor: float) -> dict[str, Any]:
     """Settings that differ from those of a scene by next to nothing: what they move is scatter."""
-    settings: dict[str, Any] = {"solver.step_fraction": scene.solver.step_fraction / factor}
+    settings = _time_step(scene, factor)
     for resolution in _of_time(scene):
         settings |= resolution.settings(factor) or {}
     return settings
@@ -49,10 +49,17 @@ def jitter(scene: Scene, factor: float) -> dict[str, Any]:
 def _of_time(scene: Scene) -> Iterator[Resolution]:
     """The pace of a quasi-static test, dead loads that settle included, or the time step of a motion."""
     if scene.solver.masses == "real":
-        fraction = scene.solver.step_fraction
-        yield Resolution("time step", lambda factor: {"solver.step_fraction": fraction / factor})
+        yield Resolution("time step", lambda factor: _time_step(scene, factor))
     elif _pace(scene, 1.0):
         yield Resolution("pace", lambda factor: _pace(scene, factor))
+
+
+def _time_step(scene: Scene, factor: float) -> dict[str, Any]:
+    """The step that is given, or the fraction of its bound."""
+    step = scene.solver.time_step
+    if isinstance(step, float):
+        return {"solver.time_step": f"{step / factor!r} s"}
+    return {"solver.step_fraction": scene.solver.step_fraction / factor}
 
 
 def _pace(scene: Scene, factor: float) -> dict[str, Any] | None:
