@@ -16,6 +16,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 
 from masonry.errors import SceneError
+from masonry.runtime.tables import columns
 from masonry.scene import Scene
 from masonry.sweeps.convergence.answers import value_of, with_derived
 from masonry.sweeps.convergence.campaign import TOGETHER, merged
@@ -26,6 +27,8 @@ from masonry.sweeps.job import Job
 from masonry.sweeps.work import OK
 from verification.studies.error_bars.random_scenes import KINDS, scene_of
 
+VISIBLE = 1e-5
+"""Relative error from which on a bar is compared with it."""
 BEYOND = 4.0
 """Times as fine as the finest run of the bar is what counts as truth; of tets the square root."""
 
@@ -111,14 +114,21 @@ def main() -> None:
 
 
 def summary(rows: Sequence[Compared]) -> str:
-    """Share of bars that hold, and how wide they are."""
-    hits = sum(row.holds for row in rows)
-    wide = [row.half_width / abs(row.real) for row in rows if abs(row.real) > 1e-5]
-    costs = [row.cost for row in rows]
-    return (
-        f"{hits} of {len(rows)} bars hold the truth; bar over real error {median(wide):.2g} in the middle; "
-        f"cost {median(costs):.2g} in the middle, {max(costs):.2g} at most"
-    )
+    """By kind and in all: how many bars hold, of all numbers and of the first of each scene, how wide they are in the
+    middle beside the real error, and what they cost."""
+    kinds = [[row for row in rows if row.kind == kind] for kind in dict.fromkeys(row.kind for row in rows)]
+    heads = ["kind", "numbers", "held", "first numbers", "held", "bar over real error", "cost"]
+    return "\n".join(columns([heads, *(_of(of_kind, of_kind[0].kind) for of_kind in kinds), _of(rows, "all")]))
+
+
+def _of(rows: Sequence[Compared], kind: str) -> list[str]:
+    first = [
+        row for k, row in enumerate(rows) if k == 0 or (rows[k - 1].kind, rows[k - 1].seed) != (row.kind, row.seed)
+    ]
+    wide = [row.half_width / abs(row.real) for row in rows if abs(row.real) > VISIBLE]
+    counts = [len(rows), sum(row.holds for row in rows), len(first), sum(row.holds for row in first)]
+    middle = f"{median(wide):.2g}" if wide else "-"
+    return [kind, *map(str, counts), middle, f"{median(row.cost for row in first):.2g}"]
 
 
 if __name__ == "__main__":
