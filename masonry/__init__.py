@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     from masonry.limit_analysis.limit_result import LimitResult
     from masonry.materials.contact_table import ContactTable
     from masonry.modal_analysis.modes_result import ModesResult
-    from masonry.scene import Scene
+    from masonry.scene.checked_scene import Scene
     from masonry.sweeps.sensitivity.sensitivity import Sensitivity
     from masonry.sweeps.sweep_run import SweepResult
 
