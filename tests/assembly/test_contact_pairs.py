@@ -42,7 +42,7 @@ def test_each_pair_of_groups_has_its_own_table_or_the_default():
     assert pairs.number.tolist() == [[[number[name] for name in pair] for pair in row] for row in wanted]
     stiffness = {name: law[1].normal_stiffness for name, law in pairs.laws.items()}
     assert stiffness == {name: 200e9 if name == "unit_unit" else 20e9 for name in pairs.names}
-    dashpots = {name: given.get("normal_dashpot") for name, given in pairs.properties.items()}
+    dashpots = {name: given.normal_dashpot for name, given in pairs.properties.items()}
     assert dashpots == {name: None if name == "unit_unit" else 0.3 for name in pairs.names}
 
 

@@ -72,6 +72,12 @@ def test_settings_are_chosen_by_which_the_error_is_as_asked_for(tipped):
     assert abs(laboratory.run(chosen).summary[KEY] / borne() - 1.0) <= 0.04
 
 
+def test_settings_of_an_earlier_search_do_not_stay_beside_a_new_table(tipped):
+    result = converge(load(TIPPED), tipped.folder, of=["collapse_load.borne"], workers=0, overwrite=True)
+    assert "none of the numbers" in repr(result) and result.errors == []
+    assert not (tipped.folder / "converged.toml").exists() and not (tipped.folder / "convergence.png").exists()
+
+
 def test_a_scene_for_limit_analysis_alone_is_refused_before_anything_is_written(tmp_path):
     with pytest.raises(SceneError, match="vehicle"):
         converge(load("bridge"), tmp_path / "out", workers=0)

@@ -33,6 +33,7 @@ from masonry.laboratory.remarks.scenes import (
     tension,
     time_step,
 )
+from masonry.laws.building.contact_properties import ContactProperties
 from masonry.monitors.collapse import Fallen, LeftFloor
 from masonry.monitors.observer import ObserverRecords
 from masonry.scene import load
@@ -327,7 +328,9 @@ def test_blocks_that_left_the_floor_are_told_with_the_first_of_them_and_how_many
     ("shaken", "dashpot", "fell", "told"), [(1, 0, 1, 1), (0, 0, 1, 0), (1, 1, 1, 0), (1, 0, 0, 0)]
 )
 def test_blocks_that_fall_on_shaken_ground_without_dashpots_are_told(shaken, dashpot, fell, told):
-    pairs = SimpleNamespace(properties={"floor_units": {}, "unit_unit": {"normal_dashpot": float(dashpot)}})
+    given = {"floor_units": None, "unit_unit": float(dashpot)}
+    properties = {name: ContactProperties("friction", 1e9, 1e9, normal_dashpot=value) for name, value in given.items()}
+    pairs = SimpleNamespace(properties=properties)
     assembly = SimpleNamespace(scene=SimpleNamespace(ground=("one",) * shaken), pairs=pairs)
     run = inspected(assembly, records=fell_at(9 if fell else None))
     assert said(hard_impacts.doubts(run), "no impact lost energy") == bool(told)

@@ -59,7 +59,7 @@ def test_small_displacement_calls_nothing_of_large_displacement(monkeypatch):
     def refuse(*_):
         raise AssertionError("compiled for large displacement only")
 
-    for module, name in ((large, "step"), (large, "RepeatedCall"), (large, "BearingPoints")):
+    for module, name in ((large, "step"), (large, "Patches"), (large, "BearingPoints")):
         monkeypatch.setattr(module, name, refuse)
     again = laboratory.run(scene.load("couplet", BASE | PACES["steps"])).history.rows
     assert again["stress"].tobytes() == couplet("steps").history.rows["stress"].tobytes()

@@ -58,9 +58,9 @@ def handed_over(monkeypatch, **settings):
     """By what (J) the account changes as bonds retire, and the rows of the couplet of the paper."""
     seen, usual = [], large.retire
 
-    def watched(model, parts):
+    def watched(model, parts, crushing):
         before = model.large.near.account.copy()
-        usual(model, parts)
+        usual(model, parts, crushing)
         change = model.large.near.account - before
         if model.contacts.area.max() == 0.0 and not seen:
             seen.append(change)
@@ -98,8 +98,8 @@ def test_what_has_dilated_stays_apart_as_it_slides_on_under_pressure(monkeypatch
     gauge = [{"name": "rise", "at": "top", "direction": "z"}]
     gone, usual = [], large.retire
 
-    def watched(model, parts):
-        usual(model, parts)
+    def watched(model, parts, crushing):
+        usual(model, parts, crushing)
         gone.append(model.contacts.area.max() == 0.0)
 
     monkeypatch.setattr(large, "retire", watched)

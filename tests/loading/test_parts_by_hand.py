@@ -263,6 +263,7 @@ def test_all_is_at_rest_after_twenty_rows_below_a_hundred_millionth_of_the_large
     monkeypatch.setattr(scheduled, "left_of_motion", lambda model, most: np.array([0.0, of_one * 1e-6]))
     program = Program(np.ones(1001), np.zeros(1001), 0, 0, rest_from=0)
     loading = ScheduledLoading(None, program, 100)
+    loading.done = 1  # all that moves it is at its end
     loading.look(0.0, 0.0, None, {"kinetic": 5.0})
     for row in range(20):
         assert loading.last == 1000, row

@@ -14,6 +14,7 @@ def test_these_are_the_functions_that_a_user_has():
     assert FUNCTIONS == [
         "check",
         "contact",
+        "converge",
         "export",
         "import_blocks",
         "law",

@@ -30,7 +30,7 @@ NUMBERS = (
     *("summary.json", "curve.csv", "resultants.csv", "history.h5", "scene.toml", "run.log", "fields.vtkhdf"),
     *("joints.vtkhdf", "limit.json", "envelope.csv", "modes.json", "sensitivity.json", "sensitivity.csv"),
     *("sweep.toml", "sweep.csv", "sweep.parquet", "fragility.csv", "fragility.json", "spectrum.csv"),
-    *("convergence.csv", "convergence.json"),
+    *("convergence.csv", "convergence.json", "converged.toml"),
 )
 WRITTEN = (*NUMBERS, *(f"{picture}.{form}" for picture in PICTURES for form in FORMATS), "report.html")
 """What commands write into a folder of results, but for its folders."""

@@ -7,7 +7,7 @@ from pathlib import Path
 from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
-from masonry.runtime.folders.own_files import ResultFiles
+from masonry.runtime.folders.own_files import ResultFiles, remove_own
 from masonry.runtime.lock import sole
 from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
@@ -161,6 +161,7 @@ def _write(scene: Scene, result: Convergence, form: str) -> None:
 
     with writing(result.folder):
         remove_pictures(result.folder, PICTURE)
+        remove_own(result.folder, FILE)
         with ResultFiles(result.folder) as files:
             files.text(CSV, convergence_table.as_csv(result.errors))
             files.text(TABLE, convergence_table.as_json(result.errors, result.runs, result.remarks))

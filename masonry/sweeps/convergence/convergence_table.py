@@ -36,7 +36,8 @@ def text(errors: Sequence[NumericalError], runs: Ended, remarks: Sequence[str]) 
     lost = [
         f"Not counted: {trial.label}, which was {row['status'].lower()}." for trial, row in runs if row["status"] != OK
     ]
-    said = [*map(sentence, errors[:1]), *advice(errors[:1], runs), *lost, *remarks, NOT_IN_IT]
+    none = [] if errors else ["The run has none of the numbers that were asked for."]
+    said = [*none, *map(sentence, errors[:1]), *advice(errors[:1], runs), *lost, *remarks, NOT_IN_IT]
     below = [line for words in said for line in textwrap.wrap(visible(words), WIDTH)]
     return "\n".join([*lines, "", *_run_lines(runs), "", *below])
 
