@@ -51,7 +51,10 @@ def arrays(file: Path) -> dict[str, bytes]:
 
 
 def differences(old: Path, new: Path) -> list[str]:
-    """The names of what is not the same in two folders of results."""
+    """The names of what is not the same in two folders of results; none where neither is there, as both are refused."""
+    made = [(folder / "summary.json").is_file() for folder in (old, new)]
+    if not all(made):
+        return ["one of them left no results"] if any(made) else []
     names = [name for name in ("curve.csv", "scene.toml") if (old / name).read_bytes() != (new / name).read_bytes()]
     summaries = [stripped(json.loads((folder / "summary.json").read_text())) for folder in (old, new)]
     if summaries[0] != summaries[1]:
