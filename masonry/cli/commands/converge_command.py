@@ -4,13 +4,11 @@ Exit codes: 0 the table is there; 2 something wrong with the words or the scene,
 is did not come to its end; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from masonry.errors import SceneError, visible
-from masonry.runtime.ending import code_of, word_of
-from masonry.runtime.processors import processors
-from masonry.runtime.shell import OK, STOPPED, Parser, add_format, tell
+from masonry.cli.commands.study_words import add_folder, add_scene, require_workers, unless_interrupted
+from masonry.errors import visible
+from masonry.runtime.shell import OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
@@ -27,10 +25,7 @@ def parser() -> Parser:
         "how far are its numbers from what the same model gives when it is refined without end?",
         epilog=EPILOG,
     )
-    words.add_argument("scene", metavar="SCENE", help="a scene file, or the name of a packaged scene")
-    words.add_argument(
-        "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key in all runs"
-    )
+    add_scene(words)
     words.add_argument("--of", metavar="NUMBERS", help="numbers of summary.json, with commas (default: the usual ones)")
     words.add_argument(
         "--to", metavar="SHARE", help='such as "1 %%": choose settings whose error is smaller, and write converged.toml'
@@ -39,19 +34,14 @@ def parser() -> Parser:
         "--cost", type=float, metavar="N", help="times the scene itself that its runs may take (default 6, with tets 8)"
     )
     words.add_argument("--list", action="store_true", help="say what the first runs would set, and run nothing")
-    words.add_argument("--out", type=Path, metavar="DIR", help="folder (default results/SCENE-convergence-N)")
-    words.add_argument("--overwrite", action="store_true", help="replace the table of another scene in DIR")
-    words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
-    add_format(words)
-    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    add_folder(words, "convergence")
     return words
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     words = parser().parse_args(arguments)
-    if words.workers < 1:
-        raise SceneError(f"--workers {words.workers}: 1 or more")
+    require_workers(words)
     numbers = [key.strip() for key in words.of.split(",")] if words.of is not None else []
 
     from masonry import scene
@@ -61,21 +51,22 @@ def main(arguments: list[str] | None = None) -> int:
     if words.list:
         print(_listing(loaded, words.cost))
         return OK
-    try:
-        result = converge(
+    heard = None if words.quiet else tell
+    result, code = unless_interrupted(
+        lambda: converge(
             loaded,
             words.out,
             of=numbers,
             to=words.to,
             cost=words.cost,
             workers=words.workers,
-            tell=None if words.quiet else tell,
+            tell=heard,
             overwrite=words.overwrite,
             form=words.format,
         )
-    except KeyboardInterrupt as ended:
-        tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
-        return code_of(ended)
+    )
+    if result is None:
+        return code
     if not words.quiet:
         print(f"{result}\n")
         print("\n".join(visible(f"{result.folder / name}") for name in result.files))

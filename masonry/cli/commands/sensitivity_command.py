@@ -4,13 +4,11 @@ Exit codes: 0 the table is there; 2 something wrong with the words or the scene,
 is did not come to its end; 130 interrupted, 143 terminated: what is done stays, and the same command goes on.
 """
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from masonry.errors import SceneError, visible
-from masonry.runtime.ending import code_of, word_of
-from masonry.runtime.processors import processors
-from masonry.runtime.shell import OK, STOPPED, Parser, add_format, tell
+from masonry.cli.commands.study_words import add_folder, add_scene, require_workers, unless_interrupted
+from masonry.errors import visible
+from masonry.runtime.shell import OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns
 
 if TYPE_CHECKING:
@@ -27,26 +25,18 @@ def parser() -> Parser:
         "plates, cells and seeds: what does the answer rest on?",
         epilog=EPILOG,
     )
-    words.add_argument("scene", metavar="SCENE", help="a scene file, or the name of a packaged scene")
-    words.add_argument(
-        "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key in all runs"
-    )
+    add_scene(words)
     words.add_argument("--only", metavar="KINDS", help="kinds of variants, with commas: pace,plates (default: all)")
     words.add_argument("--quick", action="store_true", help="one variant of each kind, and none of the slow kinds")
     words.add_argument("--list", action="store_true", help="say what each run would set, and run nothing")
-    words.add_argument("--out", type=Path, metavar="DIR", help="folder (default results/SCENE-sensitivity-N)")
-    words.add_argument("--overwrite", action="store_true", help="replace the table of another scene in DIR")
-    words.add_argument("--workers", type=int, default=processors(), metavar="N", help="processes (default: processors)")
-    add_format(words)
-    words.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    add_folder(words, "sensitivity")
     return words
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     words = parser().parse_args(arguments)
-    if words.workers < 1:
-        raise SceneError(f"--workers {words.workers}: 1 or more")
+    require_workers(words)
     only = [kind.strip() for kind in words.only.split(",")] if words.only is not None else []
 
     from masonry import scene
@@ -57,12 +47,12 @@ def main(arguments: list[str] | None = None) -> int:
     if words.list:
         print(_listing(loaded, only, words.quick))
         return OK
-    try:
-        heard = None if words.quiet else tell
-        study = sensitivity(loaded, words.out, only, words.quick, words.workers, heard, words.overwrite, words.format)
-    except KeyboardInterrupt as ended:
-        tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
-        return code_of(ended)
+    heard = None if words.quiet else tell
+    study, code = unless_interrupted(
+        lambda: sensitivity(loaded, words.out, only, words.quick, words.workers, heard, words.overwrite, words.format)
+    )
+    if study is None:
+        return code
     if not words.quiet:
         print(f"{study}\n")
         names = (CSV, TABLE, f"{PICTURE}.{words.format}")
