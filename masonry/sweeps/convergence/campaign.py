@@ -6,17 +6,27 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Blocks, GeometryError
+from geometry.blocks import Blocks, GeometryError, Joints
 from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
 from masonry.laboratory.cost import forecast
 from masonry.scene import Scene, changed
 from masonry.sweeps.convergence.extrapolation import FLAT
-from masonry.sweeps.convergence.resolutions import ALL_EDGES, JITTER, Resolution, jitter, resolutions_of
+from masonry.sweeps.convergence.resolutions import (
+    ALL_EDGES,
+    ALONG,
+    JITTER,
+    ONE_AXIS,
+    Resolution,
+    jitter,
+    resolutions_of,
+)
 
 BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
 MATTERS = 0.1
 """Fraction of the largest change, below which one resolution is left out of the run of all together."""
+SKEW = 1e-6
+"""Gap of the sides of a parallelogram over its diagonal, beyond which it is none."""
 COST, COST_OF_TETS = 6.0, 8.0
 """Times the scene itself that all other runs may take, where nothing else is said."""
 
@@ -57,15 +67,13 @@ class Campaign:
         self.contacts = len(assembly.model.group)
         self.limit = cost if cost is not None else COST_OF_TETS if assembly.mesh is not None else COST
         self.y_is_idle = not scene.acts_along_y and _is_plane(assembly.specimen.blocks)
-        self.resolutions: list[Resolution] = []
-        for resolution in resolutions_of(scene):
-            if resolution.name == ALL_EDGES and any(name.startswith("points along") for name in self._names()):
-                continue
-            if self._trial(resolution, resolution.factors[0]) is not None:
-                self.resolutions.append(resolution)
-
-    def _names(self) -> list[str]:
-        return [resolution.name for resolution in self.resolutions]
+        along = ALL_EDGES if _have_other_shapes(assembly.joints) else ONE_AXIS
+        self.resolutions = [
+            resolution
+            for resolution in resolutions_of(scene)
+            if (not resolution.name.startswith(ALONG) or resolution.name in along)
+            and self._trial(resolution, resolution.factors[0]) is not None
+        ]
 
     def first(self) -> list[Refinement]:
         """The scene as it is, a run that differs in nothing that means anything, and each resolution alone, as far as
@@ -146,6 +154,15 @@ def _is_plane(blocks: Blocks) -> bool:
     """Whether all blocks reach from the same y to the same y."""
     y = blocks.points[:, 1]
     return len(np.unique(np.round((y - y.min()) / max(np.ptp(y), 1e-300), 9))) == 2
+
+
+def _have_other_shapes(joints: Joints) -> bool:
+    """Whether some joints are no parallelograms: the fewest points along any two axes count in these."""
+    if np.any(np.diff(joints.patch_start) != 4):
+        return True
+    corner = joints.patch_points.reshape(-1, 4, 3)
+    gap = np.linalg.norm(corner[:, 0] - corner[:, 1] + corner[:, 2] - corner[:, 3], axis=1)
+    return bool(np.any(gap > SKEW * np.linalg.norm(corner[:, 2] - corner[:, 0], axis=1)))
 
 
 def merged(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:

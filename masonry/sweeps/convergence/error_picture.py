@@ -31,8 +31,8 @@ def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
     names = dict.fromkeys(trial.name for trial, _, _ in points if trial.name not in (BASE, SCATTER))
     for name, colour in zip(names, COLOURS * len(names), strict=False):
         line = sorted([(1.0, *base[1:]), *((t.factor, x, y) for t, x, y in points if t.name == name)])
-        style: dict[str, Any] = {"color": "#222222", "linestyle": "--"} if name == TOGETHER else {"color": colour}
-        axes.plot([x for _, x, _ in line], [y for _, _, y in line], "o-", label=name, markersize=5, **style)
+        style: dict[str, Any] = {"color": "#222222", "ls": "--"} if name == TOGETHER else {"color": colour, "ls": "-"}
+        axes.plot([x for _, x, _ in line], [y for _, _, y in line], marker="o", label=name, markersize=5, **style)
     again = [(x, y) for trial, x, y in points if trial.name == SCATTER]
     if again:
         axes.plot(*zip(*again, strict=True), "x", color="0.5", label=SCATTER)

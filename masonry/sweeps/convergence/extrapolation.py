@@ -14,12 +14,13 @@ from scipy.stats import t as student
 USUAL_ORDERS = (1.0, 2.0)
 LOWEST_ORDER, HIGHEST_ORDER = 0.5, 2.0
 """Orders of convergence: those of what the program does, and between which an observed one is believed."""
+ROUNDING = 1e-9
 OF_THREE = 1.25
 """Times the remainder behind three values that their bar reaches to both sides, after Roache."""
 OF_TWO = 2.5
 """Times the difference of two values that their bar reaches to both sides."""
-WIDENED = 1.5
-"""Times the largest difference that the bar reaches where values do not go one way."""
+WIDENED, GROWING = 1.5, 3.0
+"""Times the largest difference that the bar reaches where values swing, and where they run away."""
 FLAT = 3.0
 """Times the scatter, below which a difference is none."""
 
@@ -56,7 +57,8 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
         remains = [_remainder(last, ratio, p) for p in (_believed(order), *USUAL_ORDERS)]
         spread = max(abs(remainder - remains[0]) for remainder in remains)
         return Estimate(so_far + remains[0], max(spread, OF_THREE * abs(remains[0])), order)
-    return Estimate(so_far, WIDENED * max(abs(before), abs(last)))
+    grows = before * last > 0.0
+    return Estimate(so_far, (GROWING if grows else WIDENED) * max(abs(before), abs(last)))
 
 
 def _of_two(difference: float, ratio: float, so_far: float) -> Estimate:
@@ -71,7 +73,8 @@ def _remainder(difference: float, ratio: float, order: float) -> float:
 
 
 def _believed(order: float) -> float:
-    return min(max(order, LOWEST_ORDER), HIGHEST_ORDER)
+    """An order above the highest is chance, and says no more than that values converge."""
+    return max(order, LOWEST_ORDER) if order <= HIGHEST_ORDER * (1.0 + ROUNDING) else USUAL_ORDERS[0]
 
 
 def scatter_bar(differences: Sequence[float]) -> float:

@@ -11,8 +11,10 @@ MOST_ALONG_PATCH = 40
 """The finest that a scene takes."""
 JITTER = 1.01
 """Factor of refinement that means nothing."""
-POLYGONS, ALL_EDGES = "xyz", "points along all edges"
-"""Axes of joints that are no parallelograms: the fewest points along any two of them count."""
+ALONG = "points along "
+ONE_AXIS, ALL_EDGES = tuple(f"{ALONG}{axis}" for axis in "xyz"), (f"{ALONG}all edges",)
+"""Names of what refines points along the edges of joints: by axis, or of joints that are no parallelograms all at once,
+as the fewest along any two axes count in these."""
 DOUBLED, MESH = (2.0, 4.0), (1.0 / 1.5, 1.5)
 """Factors of refinement that are tried one after the other. Half the size of tets costs ten to sixteen times as much,
 so that a coarser mesh stands on the other side of the scene's."""
@@ -85,8 +87,8 @@ def _of_points(scene: Scene) -> Iterator[Resolution]:
     """Contact points along the edges of joints, by the axis of these, or on a face, or by their distance."""
     spec, number = scene.specimen, scene.points_per_edge
     if number is not None:
-        for axes in (*number._fields, POLYGONS):
-            yield _along(axes, number._asdict())
+        for name, axes in (*zip(ONE_AXIS, "xyz", strict=True), (*ALL_EDGES, "xyz")):
+            yield _along(name, axes, number._asdict())
     elif spec.points_per_face is not None:
         per_face = spec.points_per_face
         yield Resolution("points per face", lambda factor: {"specimen.points_per_face": round(per_face * factor**2)})
@@ -95,14 +97,14 @@ def _of_points(scene: Scene) -> Iterator[Resolution]:
         yield Resolution("spacing of points", lambda factor: {"specimen.contact_spacing": f"{spacing / factor!r} m"})
 
 
-def _along(axes: str, number: dict[str, int]) -> Resolution:
+def _along(name: str, axes: str, number: dict[str, int]) -> Resolution:
     """Points along the edges of some axes, two at least where they become fewer."""
 
     def settings(factor: float) -> dict[str, Any]:
         more = {axis: max(round(n * factor), min(n, 2)) if axis in axes else n for axis, n in number.items()}
         return {"specimen.points_per_edge": more}
 
-    return Resolution(ALL_EDGES if axes == POLYGONS else f"points along {axes}", settings)
+    return Resolution(name, settings)
 
 
 def _of_patches(scene: Scene) -> Iterator[Resolution]:
