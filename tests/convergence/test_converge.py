@@ -8,7 +8,11 @@ from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load
+from masonry.sweeps.convergence.answers import ANSWERS, answers_of
+from masonry.sweeps.convergence.campaign import Refinement
+from masonry.sweeps.convergence.chosen_settings import _coarser
 from masonry.sweeps.convergence.convergence import converge
+from masonry.sweeps.convergence.numerical_errors import error_of
 from tests.convergence.samples import TIPPED, borne
 
 KEY = "final_stress_pa"
@@ -72,6 +76,29 @@ def test_settings_are_chosen_by_which_the_error_is_as_asked_for(tipped):
     assert abs(laboratory.run(chosen).summary[KEY] / borne() - 1.0) <= 0.04
 
 
+def test_what_a_peak_may_be_between_two_steps_is_part_of_its_bar():
+    """The couplet: cohesion and friction at its confinement, which no step meets."""
+    ended = [(Refinement("as it is", 1.0, {}), row(1374495.8)), (Refinement("pace", 2.0, {}), row(1374495.8))]
+    error = error_of(next(a for a in ANSWERS if a.key == "peak_stress_pa"), ended)
+    assert error.error < 0.0
+    assert abs(error.limit - (0.87e6 + 1.01 * 0.5e6)) <= error.half_width < 1e-3 * error.value
+
+
+def row(peak):
+    return {"status": "OK", "peak_stress_pa": peak, "missed_between_steps": 5.2e-4}
+
+
+def test_a_gauge_that_nothing_moves_has_no_error(tipped):
+    """Its reading is rounding, and a share of it says nothing."""
+    row = {"status": "OK", "gauges.side.final_m": -1.6e-18, "gauges.head.final_m": 2e-4}
+    assert [a.key for a in answers_of(row, ["side", "head"], list(row)[1:])] == ["gauges.head.final_m"]
+
+
+def test_a_pace_that_cannot_be_coarser_is_left_as_it_is(tmp_path):
+    scene = load("couplet", {"drive.accuracy": 0.2})
+    assert _coarser([], scene, 0.2).get("drive.accuracy") is None
+
+
 def test_settings_of_an_earlier_search_do_not_stay_beside_a_new_table(tipped):
     result = converge(load(TIPPED), tipped.folder, of=["collapse_load.borne"], workers=0, overwrite=True)
     assert "none of the numbers" in repr(result) and result.errors == []
@@ -87,7 +114,8 @@ def test_a_scene_for_limit_analysis_alone_is_refused_before_anything_is_written(
 def test_what_is_wrong_is_one_message(capsys, tmp_path):
     for words, said in {
         ("--of", "peak_stres_pa"): "peak_stress_pa",
-        ("--to", "40 %"): "--to 40 %: '40 %' does not fit",
+        ("--to", "40 %"): "--to 40 %: an error from '0.01 %'",
+        ("--to", "1 mm"): "such as '1 %'",
         ("--cost", "0.5"): "1 or more",
         ("--workers", "0"): "1 or more",
     }.items():

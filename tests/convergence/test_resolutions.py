@@ -69,12 +69,25 @@ def test_points_of_drums_are_refined_along_all_edges_together():
 
 
 def test_runs_cost_no_more_than_is_allowed():
-    for cost in (2.5, 4.0, 9.0):
-        campaign = Campaign(load("wallette-mode-1"), cost)
-        trials = campaign.first()
-        assert [trial.name for trial in trials[:2]] == ["as it is", "scatter"]
-        assert len(trials) >= 3
-        assert len(trials) == 3 or sum(trial.cost for trial in trials[1:]) <= cost
+    """Of tets both the coarser and the finer mesh, where it reaches; the cheaper in any case."""
+    scene = load("couplet", {"kinematics": "tets"})
+    for cost, sizes in {1.0: 1, 100.0: 2}.items():
+        trials = Campaign(scene, cost).first()
+        names = [trial.name for trial in trials]
+        assert names[:2] == ["as it is", "scatter"] and names.count("size of tets") == sizes
+        assert "pace" in names
+    size = next(trial for trial in Campaign(scene, 1.0).first() if trial.name == "size of tets")
+    assert size.factor < 1.0 and size.cost < 1.0
+
+
+def test_rounds_after_the_first_cost_no_more_than_is_left():
+    campaign = Campaign(load(TIPPED), 6.0)
+    changes = {"points along x": 0.2, "pace": 0.1}
+    assert [trial.name for trial in campaign.second(campaign.first(), changes, 0.0, 2.0)] == [
+        "together",
+        "points along x",
+    ]
+    assert campaign.second(campaign.first(), changes, 0.0, 5.9) == []
 
 
 def test_all_together_have_the_most_points_of_each():

@@ -45,9 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
     numbers = [key.strip() for key in words.of.split(",")] if words.of is not None else []
 
     from masonry import scene
-    from masonry.sweeps.convergence.convergence import converge
+    from masonry.sweeps.convergence.convergence import converge, require_words
 
     loaded = scene.load(words.scene, words.overrides)
+    require_words(loaded, numbers, words.to, words.cost)
     if words.list:
         print(_listing(loaded, words.cost))
         return OK
@@ -67,12 +68,12 @@ def main(arguments: list[str] | None = None) -> int:
     )
     if result is None:
         return code
-    if not words.quiet:
-        print(f"{result}\n")
-        print("\n".join(visible(f"{result.folder / name}") for name in result.files))
     if not result.has_come_to_its_end:
         tell(f"masonry: the scene as it is: {result.runs[0][1]['reason']}")
         return STOPPED
+    if not words.quiet:
+        print(f"{result}\n")
+        print("\n".join(visible(f"{result.folder / name}") for name in result.files))
     return OK
 
 

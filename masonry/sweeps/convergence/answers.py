@@ -8,13 +8,15 @@ import numpy as np
 
 from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
-from masonry.rows.columns import FACTOR
+from masonry.rows.columns import CRUSHING, DASHPOT, FACTOR, TAKEN_BY_ELEMENTS
+from masonry.rows.columns import DISSIPATED as DISSIPATED_BY_JOINTS
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK
 
 BORNE, FALLS = "collapse_load.borne", "collapse_load.falls"
 STIFFNESS, DISSIPATED = "initial_stiffness_pa_per_m", "dissipated_j"
-LOSSES = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction", "energy_j.crushing")
+LOSSES = tuple(f"energy_j.{column}" for column in (*DISSIPATED_BY_JOINTS, CRUSHING, DASHPOT, *TAKEN_BY_ELEMENTS))
+MISSED = "missed_between_steps"
 ELASTIC = 0.1
 """Fraction of the peak up to which the secant of a curve is its initial stiffness."""
 NOTHING = 1e-6
@@ -50,7 +52,8 @@ BEHIND_GAUGES = {
 
 @dataclass(frozen=True)
 class Value:
-    """A number of a run, and the half-width of the interval of which it is the lower end (of a load factor)."""
+    """A number of a run, and the half-width of the interval of which it is the lower end: of a load factor between what
+    was borne and what fell, of a peak between steps."""
 
     number: float
     interval: float = 0.0
@@ -61,12 +64,21 @@ def answers_of(row: Row, gauges: Sequence[str], chosen: Sequence[str] = ()) -> l
     others of their unit."""
     if chosen:
         known = {answer.key: answer for answer in (*ANSWERS, *_of_gauges(gauges))}
-        return [known.get(key, Answer(key, key)) for key in chosen]
+        alike = [abs(value) for key, value in row.items() if key.startswith("gauges.") and isinstance(value, float)]
+        nothing = NOTHING * max(alike, default=0.0)
+        return [
+            known.get(key, Answer(key, key)) for key in chosen if abs(row.get(key) or 0.0) > nothing * is_gauge(key)
+        ]
     there = [answer for answer in (*ANSWERS, *_of_gauges(gauges)) if isinstance(row.get(answer.key), float)]
     largest: dict[str, float] = {}
     for answer in there:
         largest[answer.unit] = max(largest.get(answer.unit, 0.0), abs(row[answer.key]))
     return [answer for answer in there if abs(row[answer.key]) > NOTHING * largest[answer.unit]]
+
+
+def is_gauge(key: str) -> bool:
+    """Whether a number is the displacement of a gauge, which may be 0 but for rounding, as nothing acts along it."""
+    return key.startswith("gauges.")
 
 
 def _of_gauges(gauges: Sequence[str]) -> list[Answer]:
@@ -109,5 +121,9 @@ def value_of(row: Row, answer: Answer) -> Value | None:
     number = row.get(answer.key)
     if row["status"] != OK or not isinstance(number, int | float):
         return None
-    falls = row.get(FALLS) if answer.key == BORNE else None
-    return Value(float(number), 0.5 * (falls - number) if falls is not None else 0.0)
+    higher = 0.0
+    if answer.key == BORNE and row.get(FALLS) is not None:
+        higher = row[FALLS] - number
+    elif answer.key == "peak_stress_pa":
+        higher = abs(number) * (row.get(MISSED) or 0.0)
+    return Value(float(number), 0.5 * higher)

@@ -72,18 +72,23 @@ class Campaign:
             resolution
             for resolution in resolutions_of(scene)
             if (not resolution.name.startswith(ALONG) or resolution.name in along)
-            and self._trial(resolution, resolution.factors[0]) is not None
+            and self.trial(resolution, resolution.factors[0]) is not None
         ]
 
     def first(self) -> list[Refinement]:
-        """The scene as it is, a run that differs in nothing that means anything, and each resolution alone, as far as
-        the cost reaches; those that are cheap come first."""
+        """The scene as it is, a run that differs in nothing of meaning, and each resolution alone: the cheapest of its
+        runs in any case, others as far as the cost reaches."""
         base = Refinement(BASE, 1.0, {})
         trials = [base, Refinement(SCATTER, 1.0, jitter(self.scene, JITTER))]
-        alone = [self._trial(r, factor) for r in self.resolutions for factor in self._first_factors(r)]
-        spent = trials[-1].cost
-        for trial in sorted((trial for trial in alone if trial is not None), key=lambda trial: trial.cost):
-            if spent + trial.cost <= self.limit or len(trials) == 2:
+        spent, others = trials[-1].cost, []
+        for resolution in self.resolutions:
+            alone = [self.trial(resolution, factor) for factor in self._first_factors(resolution)]
+            first, *dearer = sorted((trial for trial in alone if trial is not None), key=lambda trial: trial.cost)
+            trials.append(first)
+            spent += first.cost
+            others += dearer
+        for trial in sorted(others, key=lambda trial: trial.cost):
+            if spent + trial.cost <= self.limit:
                 trials.append(trial)
                 spent += trial.cost
         return trials
@@ -113,7 +118,7 @@ class Campaign:
             trials.append(self._of_all([finer[name] for name in matter]))
         name = max(finer, key=lambda name: changes.get(name, 0.0), default=None)
         if name is not None and len(finer[name].factors) > 1 and finer[name].factors[0] > 1.0:
-            trials.append(self._trial(finer[name], finer[name].factors[1]))
+            trials.append(self.trial(finer[name], finer[name].factors[1]))
         chosen = []
         for trial in trials:
             if trial is not None and trial.cost <= remaining:
@@ -131,7 +136,8 @@ class Campaign:
             Refinement(TOGETHER, 2.0, settings, members=tuple((r.name, factor) for r, factor in members))
         )
 
-    def _trial(self, resolution: Resolution, factor: float) -> Refinement | None:
+    def trial(self, resolution: Resolution, factor: float) -> Refinement | None:
+        """The run of one resolution; None where the scene does not take it, or nothing changes."""
         if resolution.name == "points along y" and self.y_is_idle:
             return None
         settings = resolution.settings(factor)

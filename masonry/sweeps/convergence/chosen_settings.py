@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from masonry.errors import SceneError
 from masonry.scene import Scene, changed
 from masonry.scene.tables.loads_and_supports import accuracy_share
 from masonry.sweeps.convergence.campaign import Campaign, Refinement, merged
@@ -14,6 +15,8 @@ from masonry.sweeps.run_store import Row
 FILE = "converged.toml"
 ROUNDS = 5
 """Refinements one after the other, at most."""
+SHORT = 0.5
+"""Seconds of a run of which no ratio is told: it would be noise."""
 COUNTS, IDLE = 0.25, 0.02
 """Fractions of the error asked for: a part above the first is made smaller, what makes a part below the second may be
 coarser."""
@@ -28,6 +31,7 @@ class ChosenSettings:
     error    the largest relative error that the bars allow with them
     to       the one asked for
     seconds  of processor of a run with them, and of the scene as it is
+    verdict  of a run with them, and its doubts
     """
 
     settings: dict[str, Any]
@@ -35,19 +39,18 @@ class ChosenSettings:
     error: float
     to: float
     seconds: tuple[float, float]
+    verdict: str
 
     @property
     def words(self) -> str:
         """A sentence."""
         ratio = self.seconds[0] / max(self.seconds[1], 1e-3)
         what = "The scene as it is" if not self.settings else f"{FILE}"
-        took = f", for {ratio:.2g} times the time" if self.settings else ""
-        if self.error <= self.to:
-            return f"{what} has its numbers within {100 * self.error:.2g} % ({100 * self.to:g} % were asked for){took}."
-        return (
-            f"{what} has its numbers within {100 * self.error:.2g} %{took}; the {100 * self.to:g} % asked for were not "
-            "reached: what is left is scatter, or converges too slowly."
-        )
+        took = f", for {ratio:.2g} times the time" if self.settings and min(self.seconds) > SHORT else ""
+        request = f"{100 * self.to:g} % were asked for"
+        if self.error > self.to:
+            request += ", and not reached: what is left is scatter, or converges too slowly"
+        return f"{what} has its numbers within {100 * self.error:.2g} % ({request}){took}; its run is {self.verdict}."
 
     def as_toml(self, scene: str) -> str:
         """A scene file that stands beside that of the scene as it is."""
@@ -68,8 +71,11 @@ def _toml(value: Any) -> str:
 
 
 def fraction(text: Any) -> float:
-    """An error as a person gives it, "1 %" or 0.01. Raises ValueError."""
-    return float(accuracy_share(text))
+    """An error as a person gives it, "1 %" or 0.01. Raises SceneError."""
+    try:
+        return float(accuracy_share(text))
+    except ValueError:
+        raise SceneError(f"--to {text!s:.40}: an error from '0.01 %' to '20 %', such as '1 %'") from None
 
 
 def choose(
@@ -98,10 +104,13 @@ def choose(
         fewer, runs = measure(changed(scene, merged(settings, coarser)))
         if largest(fewer) <= to and fewer and runs[0][1]["seconds_processor_run"] < seconds:
             reasons |= dict.fromkeys(coarser, "coarser: it buys nothing")
-            return ChosenSettings(
-                merged(settings, coarser), reasons, largest(fewer), to, (runs[0][1]["seconds_processor_run"], first)
-            )
-    return ChosenSettings(settings, reasons, largest(errors), to, (seconds, first))
+            settings, errors, seconds = merged(settings, coarser), fewer, runs[0][1]["seconds_processor_run"]
+    return ChosenSettings(settings, reasons, largest(errors), to, (seconds, first), _judged(runs[0][1]))
+
+
+def _judged(row: Row) -> str:
+    """The verdict of a run, and its doubts where it has some."""
+    return f"{row['verdict']} ({row['doubts']})" if row["doubts"] else str(row["verdict"])
 
 
 def largest(errors: Sequence[NumericalError]) -> float:
@@ -111,14 +120,15 @@ def largest(errors: Sequence[NumericalError]) -> float:
 
 def _refined(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[str, Any]:
     """Settings that make finer what makes up most of the errors; empty where nothing does."""
-    resolutions = Campaign(scene).resolutions
+    campaign = Campaign(scene)
+    resolutions = campaign.resolutions
     parts = {resolution.name: _part(errors, resolution.name) for resolution in resolutions}
     counts = min(COUNTS * to, 0.5 * max(parts.values(), default=0.0))
     settings: dict[str, Any] = {}
     for resolution in resolutions:
         if parts[resolution.name] > counts:
-            factor = next(factor for factor in resolution.factors if factor > 1.0)
-            settings = merged(settings, resolution.settings(factor) or {})
+            finer = campaign.trial(resolution, next(factor for factor in resolution.factors if factor > 1.0))
+            settings = merged(settings, finer.settings if finer is not None else {})
     return settings | _narrower(scene, to)
 
 
@@ -132,9 +142,10 @@ def _narrower(scene: Scene, to: float) -> dict[str, Any]:
 def _coarser(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[str, Any]:
     """Settings that make coarser by two what makes up next to nothing of the errors."""
     settings: dict[str, Any] = {}
-    for resolution in Campaign(scene).resolutions:
-        if _part(errors, resolution.name) <= IDLE * to:
-            settings |= resolution.settings(0.5) or {}
+    campaign = Campaign(scene)
+    for resolution in campaign.resolutions:
+        fewer = campaign.trial(resolution, 0.5) if _part(errors, resolution.name) <= IDLE * to else None
+        settings |= fewer.settings if fewer is not None else {}
     return settings
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 
 from masonry.assembly.growing_loads import require_axles_to_load
@@ -92,11 +93,7 @@ def converge(
     require_format(form)
     if workers is not None and workers < 0:
         raise SceneError(f"{workers} workers: 0 (all in this process) or more")
-    if cost is not None and not cost >= 1.0:
-        raise SceneError(f"cost {cost:g}: times the scene itself that all other runs may take, 1 or more")
-    largest = None if to is None else _fraction(to)
-    for number in of:
-        require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
+    largest = require_words(scene, of, to, cost)
     require_axles_to_load(scene)
     campaign = Campaign(scene, cost)
     if not campaign.resolutions:
@@ -109,19 +106,19 @@ def converge(
         errors, done = runner.measured(campaign)
         chosen = None
         if largest is not None and errors:
-            chosen = chosen_settings.choose(
-                scene, errors, largest, lambda finer: runner.measured(Campaign(finer, cost))
-            )
+            chosen = chosen_settings.choose(scene, errors, largest, lambda other: runner.measured(Campaign(other)))
         result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
         _write(scene, result, form)
     return result
 
 
-def _fraction(text: str | float) -> float:
-    try:
-        return chosen_settings.fraction(text)
-    except ValueError as error:
-        raise SceneError(f"--to {text}: {error}") from None
+def require_words(scene: Scene, of: Sequence[str], to: str | float | None, cost: float | None) -> float | None:
+    """The error asked for, if any; raises SceneError for a number that no run has, and what is out of range."""
+    if cost is not None and not 1.0 <= cost < inf:
+        raise SceneError(f"cost {cost:g}: times the scene itself that all other runs may take, 1 or more")
+    for number in of:
+        require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
+    return None if to is None else chosen_settings.fraction(to)
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from typing import Any
 from masonry.errors import visible
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
+from masonry.sweeps.convergence.answers import BORNE
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Refinement
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
 from masonry.sweeps.run_store import Row
@@ -47,7 +48,8 @@ def _line(error: NumericalError) -> list[str]:
     name = f"{answer.words} [{answer.unit}]" if answer.unit else answer.words
     numbers = [f"{number * answer.factor:.4g}" for number in (error.value, error.limit)]
     parts = [f"{name} {_relative(part, error)}" for name, part in ranked(error)]
-    order = "-" if error.order is None else f"{error.order:.1f}"
+    hidden = error.order is None or error.at_most <= NEGLIGIBLE * abs(error.value)
+    order = "-" if hidden else f"{error.order:.1f}"
     return [
         name,
         *numbers,
@@ -70,12 +72,16 @@ def _relative(part: float, error: NumericalError) -> str:
     if not error.value:
         return f"{part * error.answer.factor:+.2g}"
     percent = 100.0 * part / abs(error.value)
-    return f"{percent:+.2g} %" if abs(percent) >= 0.005 else "0 %"
+    if abs(percent) < 0.005:
+        return "0 %"
+    return f"{percent:+.2g} %" if abs(percent) < 100.0 else f"{percent:+.0f} %"
 
 
 def sentence(error: NumericalError) -> str:
     """The error of one number, in words."""
     words = error.answer.words
+    if error.at_most >= abs(error.value):
+        return f"The resolution of this scene does not tell its {words}: its error may be as large as itself."
     if error.at_most <= NEGLIGIBLE * abs(error.value):
         return f"The {words} of this scene has no error of resolution that is worth a word."
     if abs(error.error) <= error.half_width:
@@ -103,10 +109,16 @@ def advice(errors: Sequence[NumericalError], runs: Ended) -> list[str]:
             finer = [(t, row) for t, row in runs if t.name == name and t.factor > 1.0 and row["status"] == OK]
             if not finer:
                 continue
-            trial, row = finer[0]
-            ratio = row["seconds_processor_run"] / max(runs[0][1]["seconds_processor_run"], 1e-3)
-            said.append(f"Most of that comes from {name}: {settings_words(trial)} takes {ratio:.2g} times as long.")
-        if error.scatter > 0.5 * error.half_width:
+            trial = finer[0][0]
+            said.append(
+                f"Most of that comes from {name}: {settings_words(trial)} takes about {trial.cost:.2g} times as long."
+            )
+        if error.interval > 0.5 * error.half_width:
+            where = "between what was borne and what fell: a smaller limit.accuracy makes it narrower"
+            said.append(
+                f"Most of the bar is the interval {where if error.answer.key == BORNE else 'between two steps'}."
+            )
+        elif error.scatter > 0.5 * error.half_width:
             said.append("Most of the bar is scatter: runs that differ in nothing of meaning differ by as much.")
     return said
 

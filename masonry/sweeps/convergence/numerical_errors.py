@@ -22,6 +22,7 @@ class NumericalError:
     order    observed, None where none is
     parts    by name of a resolution, value of the scene less the value without end of this resolution alone
     scatter  half-width of what runs differ by that differ in nothing; part of the bar
+    interval half-width of the interval of a load factor, or of a peak between steps; part of the scatter
     """
 
     answer: Answer
@@ -31,6 +32,7 @@ class NumericalError:
     order: float | None
     parts: dict[str, float]
     scatter: float
+    interval: float
 
     @property
     def error(self) -> float:
@@ -59,7 +61,9 @@ def error_of(answer: Answer, ended: Ended) -> NumericalError | None:
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
     parts_of_error = {name: -part.change for name, part in parts.items()}
-    return NumericalError(answer, base.number, limit, estimate.half_width, estimate.order, parts_of_error, scattered)
+    return NumericalError(
+        answer, base.number, limit, estimate.half_width, estimate.order, parts_of_error, scattered, base.interval
+    )
 
 
 def _middle(value: Value) -> float:
