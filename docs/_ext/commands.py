@@ -1,13 +1,12 @@
 """The reference of the commands, made from their parsers as the site is built: it cannot fall behind them."""
 
 import argparse
-import importlib
 import re
 import textwrap
 from collections.abc import Iterator
 from typing import Any
 
-from masonry.cli.main import APART, parser
+from masonry.cli.main import APART, module_of, parser
 
 PAGE, MARK = "reference/commands", "<!-- commands -->"
 WIDTH = 84
@@ -22,7 +21,7 @@ def parsers() -> Iterator[tuple[str, str, argparse.ArgumentParser]]:
     listed = next(action for action in main._actions if isinstance(action, argparse._SubParsersAction))
     helps = {choice.dest: choice.help or "" for choice in listed._choices_actions}
     for name, words in listed.choices.items():
-        own = importlib.import_module(APART[name][0]).parser() if name in APART else words
+        own = module_of(name).parser() if name in APART else words
         yield name, helps[name], own
 
 
