@@ -15,7 +15,7 @@ from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
 
-from masonry.errors import SceneError
+from masonry.errors import SceneError, nearest
 from masonry.runtime.tables import columns
 from masonry.scene import Scene
 from masonry.sweeps.convergence.answers import value_of, with_derived
@@ -99,6 +99,8 @@ def main() -> None:
     chosen = words.parse_args()
     first, last = map(int, chosen.seeds.split("-"))
     kinds = chosen.kinds.split(",") if chosen.kinds else list(KINDS)
+    if unknown := [kind for kind in kinds if kind not in KINDS]:
+        words.error(f"--kinds {unknown[0]}: {nearest(unknown[0], KINDS)}")
     print(f"     {'kind':<34}{'seed':>4}  {'number':<22}{'told %':>10}{'bar %':>10}{'real %':>10}{'cost':>7}")
     rows: list[Compared] = []
     for kind in kinds:

@@ -207,14 +207,14 @@ KINDS: dict[str, Callable[[Draw], dict[str, Any]]] = {
     "dry triplet": _triplet,
     "wallette": _wallette,
     "dry column": _column,
-    "dry wall, tilted": _tilted_wall,
+    "tilted dry wall": _tilted_wall,
     "dry wall on ties": _tied_wall,
     "prism that crushes": _prism,
     "dry arch": _arch,
     "wall whose toes crush": _crushing_wall,
     "wallette of affine blocks": _affine,
     "couplet of tets": _tets,
-    "glued column, shaken": _elastic_shaking,
+    "shaken glued column": _elastic_shaking,
     "dry triplet in large displacement": _large,
 }
 
@@ -222,4 +222,4 @@ KINDS: dict[str, Callable[[Draw], dict[str, Any]]] = {
 def scene_of(kind: str, seed: int) -> Scene:
     """The scene of a kind and a seed."""
     draw = np.random.default_rng([seed, list(KINDS).index(kind)])
-    return load({**KINDS[kind](draw), "name": f"{kind.replace(',', '').replace(' ', '-')}-{seed}"})
+    return load({**KINDS[kind](draw), "name": f"{kind.replace(' ', '-')}-{seed}"})
