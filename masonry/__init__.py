@@ -40,6 +40,9 @@ from masonry.shell_functions import (
     verify as verify,
 )
 from masonry.shell_functions import (
+    view as view,
+)
+from masonry.shell_functions import (
     write_blocks as write_blocks,
 )
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from masonry.laboratory.result import Result
     from masonry.scene import Scene
     from masonry.sweeps.convergence.convergence import Convergence
+    from masonry.viewing.view import PageView
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
@@ -212,6 +213,32 @@ def record(
     if target is not None:
         write_records(target, records)
     return records
+
+
+def view(source: "SceneLike | Result", frames: int | None = None) -> "PageView":
+    """A page of HTML with the model of a scene, or a result or a folder of results, in space: a notebook shows it,
+    `.save("view.html")` writes it.
+
+    frames  of a result, at most so many (default 60)
+    Raises SceneError or GeometryError.
+
+    >>> masonry.view("couplet").save("couplet.html").name
+    'couplet.html'
+    """
+    from masonry.errors import SceneError
+    from masonry.importing.handed_blocks import scene_of
+    from masonry.laboratory.arguments import whole
+    from masonry.laboratory.result import Result, load_result
+    from masonry.viewing.view import view_of_scene
+
+    frames = None if frames is None else whole("frames", frames, 2, 100_000)
+    if isinstance(source, str | Path) and Path(source).is_dir():
+        source = load_result(source)
+    if isinstance(source, Result):
+        return source.view(frames)
+    if frames is not None:
+        raise SceneError("frames: of a result; a scene that was not run has none")
+    return view_of_scene(scene_of(source))
 
 
 def verify(*cases: str, full: bool = False, workers: int = 2, tell: Callable[[str], None] | None = None) -> Any:

@@ -31,6 +31,7 @@ FLOORS = (
     *("masonry.loading.moves", "masonry.loading", "masonry.loading.drive", "masonry.loading.collapse"),
     *("masonry.timeloop", "masonry.importing", "masonry.assembly"),
     *("masonry.estimates", "masonry.drawings", "masonry.statics", "masonry.limit_analysis", "masonry.modal_analysis"),
+    "masonry.viewing",
     *("masonry.laboratory.summary.measurements", "masonry.laboratory.summary"),
     *("masonry.laboratory.remarks", "masonry.laboratory", "masonry.reporting"),
     *(

@@ -38,6 +38,7 @@ from masonry.runtime.shell import (
 )
 
 APART = {
+    "view": "a model before it is run, or a result, in space: one page of HTML to turn and click",
     "picture": "draw the cracks of results at a moment, or the specimen of a scene",
     "movie": "make a movie of a folder of results: cracks beside the curve",
     "report": "write a folder of results as one page, for others to read",

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from masonry.ground.spectrum import ResponseSpectrum
+    from masonry.viewing.view import PageView
 
 PICTURES = {"curve.png": "plot", "cracks.png": "picture"}
 """Each picture of a result, and the method that draws it."""
@@ -97,6 +98,13 @@ class Result(ResultData):
 
         require_free(Path(path), overwrite)
         return write_movie(self, path, fps, view, scale)
+
+    def view(self, frames: int | None = None) -> "PageView":
+        """A page of HTML with the result in space, frame by frame, at most so many (default 60): a notebook shows it,
+        `.save("view.html")` writes it. Raises SceneError where it has no frames."""
+        from masonry.viewing.view import MOST, view_of_result
+
+        return view_of_result(self, MOST if frames is None else frames)
 
     def spectra(self, of: Sequence[str] = (), damping: float = 0.05) -> dict[str, "ResponseSpectrum"]:
         """Response spectra of the ground and of gauges of an acceleration, or of some by name, at a share of critical

@@ -30,6 +30,7 @@ def test_these_are_the_functions_that_a_user_has():
         "sensitivity",
         "sweep",
         "verify",
+        "view",
         "write_blocks",
     ]
 

@@ -6,7 +6,7 @@ is did not come to its end; 130 interrupted, 143 terminated: what is done stays,
 
 from typing import TYPE_CHECKING
 
-from masonry.cli.commands.study_words import add_folder, add_scene, require_workers, unless_interrupted
+from masonry.cli.study_words import add_folder, add_scene, require_workers, unless_interrupted
 from masonry.errors import visible
 from masonry.runtime.shell import OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns

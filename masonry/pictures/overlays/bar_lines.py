@@ -117,6 +117,15 @@ def yielded_in(result: "ResultData") -> np.ndarray | None:
     return None if not bars or bars["plastic_m"] is None else np.array(bars["plastic_m"]) != 0.0
 
 
+def segments_of(scene: Scene) -> list[tuple[np.ndarray, str, str]]:
+    """Ends (2, 3) m, name and colour of each of a scene."""
+    return [
+        (np.array(ends), bar.name or f"bar {number}", ELASTIC)
+        for number, bar in enumerate(scene.bar)
+        for ends in bar.places
+    ]
+
+
 def bar_keys(bars: Sequence[BarTable], yielded: np.ndarray | None = None) -> list[Any]:
     """Entries of a key: of bars, and of those that yielded; of what occurs."""
     if not bars:

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from geometry.blocks import Blocks
 from masonry.pictures.camera import Camera
 from masonry.pictures.hidden_surfaces import Piece
@@ -28,6 +30,11 @@ def draw_elements_of(
     """Those of a run where they are in a frame, displacements `times` larger."""
     for kind in KINDS:
         kind.draw_in_run(axes, result, frame, camera, times, seen)
+
+
+def segments_of(scene: Scene) -> list[tuple[np.ndarray, str, str]]:
+    """Ends (2, 3) m, words and colour of all that runs from point to point in a scene."""
+    return [segment for kind in KINDS for segment in kind.segments_of(scene)]
 
 
 def element_keys(scene: Scene) -> list[Any]:
