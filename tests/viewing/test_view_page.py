@@ -95,7 +95,9 @@ def test_arrows_of_the_weight_are_the_weight_of_each_block(leaning_arch):
 
 
 def test_the_arrow_of_a_traction_lies_on_its_line_of_action():
-    scene = masonry.load("wall-with-window")
+    oblique = {"x": "0.03 MPa", "y": "-0.02 MPa", "z": "-0.05 MPa"}
+    on = masonry.load("wall-with-window").traction[0].on
+    scene = masonry.load("wall-with-window", {"traction": [{"on": on, "stress": oblique}]})
     traction = scene.traction[0]
     fabric = fabric_of(scene)
     _, faces = select(fabric.specimen, fabric.joints, traction.on, "traction.0.on")
