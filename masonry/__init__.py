@@ -16,52 +16,78 @@ if sys.argv[:1] == ["-m"] and sys.path[0] == os.getcwd() != os.path.dirname(os.p
     del sys.path[0]  # by `python -m masonry` it is the current folder, with whatever lies beside a scene
 
 from collections.abc import Mapping
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from masonry.laboratory.arguments import speaking_python
 from masonry.shell_functions import (
-    converge as converge,
-)
-from masonry.shell_functions import (
-    export as export,
-)
-from masonry.shell_functions import (
-    import_blocks as import_blocks,
-)
-from masonry.shell_functions import (
-    law as law,
-)
-from masonry.shell_functions import (
-    record as record,
-)
-from masonry.shell_functions import (
-    resume as resume,
-)
-from masonry.shell_functions import (
-    verify as verify,
-)
-from masonry.shell_functions import (
-    view as view,
-)
-from masonry.shell_functions import (
-    write_blocks as write_blocks,
+    converge,
+    export,
+    import_blocks,
+    law,
+    load_result,
+    record,
+    report,
+    resume,
+    verify,
+    view,
+    write_blocks,
 )
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from pathlib import Path
 
+    from geometry.errors import GeometryError
+    from masonry.errors import SceneError, Stopped
     from masonry.laboratory.result import Result
     from masonry.laboratory.text import Report
     from masonry.limit_analysis.limit_result import LimitResult
     from masonry.materials.contact_table import ContactTable
     from masonry.modal_analysis.modes_result import ModesResult
     from masonry.scene.checked_scene import Scene
+    from masonry.sweeps.convergence.convergence import Convergence
     from masonry.sweeps.sensitivity.sensitivity import Sensitivity
     from masonry.sweeps.sweep_run import SweepResult
+    from masonry.viewing.view import PageView
 
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
+__all__ = [
+    "check", "contact", "converge", "export", "import_blocks", "law", "limit", "load", "load_result", "modes", "record",
+    "report", "resume", "run", "scenes", "sensitivity", "sweep", "verify", "view", "write_blocks",
+    "ContactTable", "Convergence", "GeometryError", "LimitResult", "ModesResult", "PageView", "Report", "Result",
+    "Scene", "SceneError", "Sensitivity", "Stopped", "SweepResult",
+]  # fmt: skip
+CLASSES = {
+    "ContactTable": "masonry.materials.contact_table",
+    "Convergence": "masonry.sweeps.convergence.convergence",
+    "GeometryError": "geometry.errors",
+    "LimitResult": "masonry.limit_analysis.limit_result",
+    "ModesResult": "masonry.modal_analysis.modes_result",
+    "PageView": "masonry.viewing.view",
+    "Report": "masonry.laboratory.text",
+    "Result": "masonry.laboratory.result",
+    "Scene": "masonry.scene",
+    "SceneError": "masonry.errors",
+    "Sensitivity": "masonry.sweeps.sensitivity.sensitivity",
+    "Stopped": "masonry.errors",
+    "SweepResult": "masonry.sweeps.sweep_run",
+}
+"""Classes that functions give back and raise, and their modules."""
 __version__ = "0.2.0"
+
+
+def __getattr__(name: str) -> Any:
+    """One of CLASSES, imported when it is asked for: what reads a scene brings pydantic and numpy with it."""
+    if name not in CLASSES:
+        raise AttributeError(f"module 'masonry' has no attribute '{name}'")
+    return getattr(import_module(CLASSES[name]), name)
+
+
+def __dir__() -> list[str]:
+    """The names that a user has."""
+    return [*__all__, "__version__"]
 
 
 def scenes() -> dict[str, str]:
@@ -94,6 +120,7 @@ def load(scene: "str | Path | Mapping[str, Any]", overrides: Any = ()) -> "Scene
     return load_scene(_packed(scene), _packed(overrides))
 
 
+@speaking_python
 def contact(scene: "SceneLike | None" = None, **known: Any) -> "ContactTable":
     """The contact table of a scene from moduli, tests or the tables of Eurocode 6, with the source of each number.
 
@@ -117,6 +144,7 @@ def contact(scene: "SceneLike | None" = None, **known: Any) -> "ContactTable":
     return ContactTable(ContactData(known if scene is None else with_scene(known, _scene(scene))))
 
 
+@speaking_python
 def check(scene: "SceneLike") -> "Report":
     """Sizes, time step, expected seconds, parts not compiled and warnings of a scene, without running it.
 
@@ -134,6 +162,7 @@ def check(scene: "SceneLike") -> "Report":
     return check_scene(_scene(scene))
 
 
+@speaking_python
 def run(
     scene: "SceneLike", threads: int | str = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
 ) -> "Result":
@@ -164,18 +193,7 @@ def run(
         return run_scene(scene, threads, tell)
 
 
-def report(result: "Result | str | Path", path: "str | Path", *, overwrite: bool = False) -> "Path":
-    """Write a result, or a folder of results, as one page (.html) for others; overwrite: a file that is not ours too.
-    Raises SceneError for another suffix, for what is no result, and where such a file stands.
-
-    >>> masonry.report(masonry.run("couplet"), "couplet.html").name
-    'couplet.html'
-    """
-    from masonry.reporting.run_report import report_of
-
-    return report_of(result, path, overwrite)
-
-
+@speaking_python
 def limit(
     scene: "SceneLike",
     *,
@@ -221,6 +239,7 @@ def limit(
     return analyse(_scene(scene), wishes)
 
 
+@speaking_python
 def modes(
     scene: "SceneLike",
     count: int = 6,
@@ -256,6 +275,7 @@ def modes(
     return analyse(_scene(scene), wishes)
 
 
+@speaking_python
 def sensitivity(
     scene: "SceneLike",
     out: "str | Path | None" = None,
@@ -292,6 +312,7 @@ def sensitivity(
     return compare(_scene(scene), folder, kinds, quick, workers, tell, form=form)
 
 
+@speaking_python
 def sweep(
     scene: "SceneLike",
     vary: "Mapping[str, Any] | None" = None,
@@ -351,20 +372,6 @@ def sweep(
     )
     with telling_lines(called("progress", progress, True, False, None)) as tell:
         return run_sweep(request, name, running, tell, text)
-
-
-def load_result(folder: "str | Path") -> "Result":
-    """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results.
-
-    >>> files = masonry.run(masonry.load("couplet", {"confinement": "0.1 MPa"})).save("couplet-0.1")
-    >>> result = masonry.load_result("couplet-0.1")
-    >>> print(f"{result.peak.stress / 1e6:.2f} MPa")
-    0.97 MPa
-    """
-    from masonry.laboratory.arguments import path
-    from masonry.laboratory.result import load_result
-
-    return load_result(path("folder", folder))
 
 
 def _packed(tables: Any) -> Any:

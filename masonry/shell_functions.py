@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from masonry.laboratory.arguments import speaking_python
+
 if TYPE_CHECKING:
     from masonry.drawings.law_report import LawReport
     from masonry.ground.made_record import MadeRecord
@@ -20,6 +22,7 @@ VERIFICATION = "verification.command"
 """It stands on a floor above `masonry`, and is looked up when it is called."""
 
 
+@speaking_python
 def import_blocks(
     source: str | Path, out: str | Path | None = None, overwrite: bool = False, **words: Any
 ) -> "ImportReport":
@@ -42,6 +45,7 @@ def import_blocks(
     return import_file(path("source", source), target, settings_of(words), flag("overwrite", overwrite))
 
 
+@speaking_python
 def write_blocks(
     path: str | Path,
     blocks: Sequence[Any],
@@ -78,6 +82,7 @@ def write_blocks(
     return write(path, blocks, names, groups, units, section, tolerance, open_gaps)
 
 
+@speaking_python
 def converge(
     scene: "SceneLike",
     out: str | Path | None = None,
@@ -115,6 +120,7 @@ def converge(
     return refine(scene_of(scene), folder, words("of", of), to, cost, workers, tell, form=form)
 
 
+@speaking_python
 def export(scene: "SceneLike", to: str | Path, overwrite: bool = False) -> Path:
     """Write the blocks of a scene for other programs: a .step, .obj, .stl, .msh or .vtu file, with tets where it has
     them. Raises SceneError or GeometryError; then nothing is written.
@@ -215,6 +221,34 @@ def record(
     return records
 
 
+def load_result(folder: str | Path) -> "Result":
+    """Read the result of an earlier run from its folder. Raises SceneError if the folder is not one of results.
+
+    >>> files = masonry.run(masonry.load("couplet", {"confinement": "0.1 MPa"})).save("couplet-0.1")
+    >>> result = masonry.load_result("couplet-0.1")
+    >>> print(f"{result.peak.stress / 1e6:.2f} MPa")
+    0.97 MPa
+    """
+    from masonry.laboratory.arguments import path
+    from masonry.laboratory.result import load_result
+
+    return load_result(path("folder", folder))
+
+
+@speaking_python
+def report(result: "Result | str | Path", path: str | Path, *, overwrite: bool = False) -> Path:
+    """Write a result, or a folder of results, as one page (.html) for others; overwrite: a file that is not ours too.
+    Raises SceneError for another suffix, for what is no result, and where such a file stands.
+
+    >>> masonry.report(masonry.run("couplet"), "couplet.html").name
+    'couplet.html'
+    """
+    from masonry.reporting.run_report import report_of
+
+    return report_of(result, path, overwrite)
+
+
+@speaking_python
 def view(source: "SceneLike | Result", frames: int | None = None) -> "PageView":
     """A page of HTML with the model of a scene, or a result or a folder of results, in space: a notebook shows it,
     `.save("view.html")` writes it.

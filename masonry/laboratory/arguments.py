@@ -1,12 +1,52 @@
 """Arguments of a Python user to the functions of masonry, checked first: one SceneError, as on the command line."""
 
 import os
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
+from functools import wraps
 from numbers import Integral, Real
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, cast
 
+from geometry.errors import GeometryError
 from masonry.errors import SceneError, visible
+
+F = TypeVar("F", bound=Callable[..., Any])
+SWITCHES = {
+    "no-dilation": "dilation=False",
+    "no-strength": "strength=False",
+    "linear": "sides=",
+    "safety": "safety=True",
+    "pressed": "pressed=True",
+    "overwrite": "overwrite=True",
+    "open-gaps": "open_gaps=True",
+    "group": "groups=",
+}
+"""Options of the commands that have another name, or a value, as arguments of functions."""
+
+
+def in_words_of_python(text: str) -> str:
+    """A sentence of a command, with its options as arguments of a function: crushing= in place of --crushing."""
+
+    def argument(option: re.Match[str]) -> str:
+        name = option[1]
+        return SWITCHES[name] + (option[2] or "") if name in SWITCHES else f"{name.replace('-', '_')}="
+
+    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( (?=['\d]|\w+:))?", argument, text)
+
+
+def speaking_python(function: F) -> F:
+    """The same function, whose errors name arguments, not options of a command."""
+
+    @wraps(function)
+    def called_from_python(*args: Any, **named: Any) -> Any:
+        try:
+            return function(*args, **named)
+        except (SceneError, GeometryError) as error:
+            error.args = tuple(in_words_of_python(word) if isinstance(word, str) else word for word in error.args)
+            raise
+
+    return cast(F, called_from_python)
 
 
 def refuse(name: str, value: Any, allowed: str) -> SceneError:

@@ -2,14 +2,19 @@
 
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from masonry.limit_analysis.envelope_picture import envelope_figure, envelope_table
 from masonry.limit_analysis.limit_data import LimitData
-from masonry.limit_analysis.limit_text import result_text
+from masonry.limit_analysis.limit_text import result_rows, result_text
 from masonry.limit_analysis.pictures import mechanism_figure, thrust_figure
-from masonry.pictures.style import write_picture
+from masonry.pictures.style import drawn, write_picture
 from masonry.runtime.folders.own_files import ResultFiles, remove_own
 from masonry.runtime.named_file import remove_pictures
+from masonry.runtime.tables import html_table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 class LimitResult(LimitData):
@@ -30,6 +35,18 @@ class LimitResult(LimitData):
                 names += ["envelope.csv", f"envelope.{form}"]
                 write_picture(envelope_figure(self), files.new(names[-1]))
         return [folder / name for name in names]
+
+    def plot(self, path: Path | str | None = None, view: str | None = None) -> "Figure":
+        """The thrust line, or of a vehicle that travels its factor over its positions: a figure, and a .png, .pdf or
+        .svg file where a path is given."""
+        return drawn(thrust_figure(self, view) if self.envelope is None else envelope_figure(self), path)
+
+    def picture(self, path: Path | str | None = None, view: str | None = None) -> "Figure":
+        """The mechanism, in the same way."""
+        return drawn(mechanism_figure(self, view), path)
+
+    def _repr_html_(self) -> str:
+        return html_table(self.title, result_rows(self))
 
     def __str__(self) -> str:
         return result_text(self)

@@ -13,7 +13,12 @@ EVERY = "none: joints that dilate balance every factor"
 
 
 def result_text(result: LimitData) -> str:
-    """The rows that `masonry limit` prints."""
+    """Text that `masonry limit` prints."""
+    return aligned(result_rows(result))
+
+
+def result_rows(result: LimitData) -> Rows:
+    """A word and its lines for each row that `masonry limit` prints."""
     moving = int(result.moving.sum())
     rows: Rows = [
         ("scene", [result.title]),
@@ -55,7 +60,7 @@ def result_text(result: LimitData) -> str:
     rows += [(element.name, [element.words]) for element in result.elements]
     if result.remarks:
         rows.append(("mind", result.remarks))
-    return aligned(rows)
+    return rows
 
 
 def head_of(result: LimitData) -> str:

@@ -8,18 +8,26 @@ HEADS = ("mode", "frequency", "period", "mass along x", "along y", "along z")
 
 def result_text(result: ModesData) -> str:
     """Text that `masonry modes` prints."""
+    notes = note_rows(result)
+    table = "\n".join(columns(mode_table(result), right=range(len(HEADS))))
+    return "\n".join(part for part in (aligned(head_rows(result)), table, aligned(notes) if notes else "") if part)
+
+
+def head_rows(result: ModesData) -> Rows:
+    """A word and its lines for each row above the table of modes."""
     closed = int(result.closed.sum())
     some = f"{closed} of {len(result.closed)}" if closed < len(result.closed) else f"all {closed}"
-    rows: Rows = [
+    return [
         ("scene", [result.title]),
         ("assumed", [result.assumed]),
         ("size", [f"{result.dofs} degrees of freedom, {some} contacts closed; in {result.seconds:.2f} s"]),
         ("mass", [_mass(result)]),
     ]
-    head, tail = aligned(rows), _damping(result)
-    notes: Rows = [*tail, *([("mind", result.remarks)] if result.remarks else [])]
-    table = "\n".join(columns(_table(result), right=range(len(HEADS))))
-    return "\n".join(part for part in (head, table, aligned(notes) if notes else "") if part)
+
+
+def note_rows(result: ModesData) -> Rows:
+    """Those below it."""
+    return [*_damping(result), *([("mind", result.remarks)] if result.remarks else [])]
 
 
 def _mass(result: ModesData) -> str:
@@ -29,7 +37,8 @@ def _mass(result: ModesData) -> str:
     return f"{x:.6g} kg can move along x, {y:.6g} kg along y, {z:.6g} kg along z"
 
 
-def _table(result: ModesData) -> list[list[str]]:
+def mode_table(result: ModesData) -> list[list[str]]:
+    """The table of modes, its heads first."""
     if not len(result.frequencies):
         return [list(HEADS)]
     rows = [

@@ -44,3 +44,10 @@ def html_table(title: str, rows: Rows) -> str:
         for word, lines in rows
     )
     return f"<table><caption>{escape(title)}</caption><tbody>{body}</tbody></table>"
+
+
+def html_columns(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A table with a head over its columns, numbers to the right; everything escaped."""
+    cells = ["".join(f'<td style="text-align:right">{escape(cell)}</td>' for cell in row) for row in rows]
+    top = "".join(f'<th style="text-align:right">{escape(cell)}</th>' for cell in head)
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{''.join(f'<tr>{row}</tr>' for row in cells)}</tbody></table>"

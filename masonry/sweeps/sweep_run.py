@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from masonry.errors import SceneError, extra, nearest, visible
 from masonry.runtime.named_file import FORMATS, require_format
 from masonry.runtime.progress import Tell
+from masonry.runtime.tables import html_columns
 from masonry.sweeps.planned_runs import Planned, plan
 from masonry.sweeps.read import FRAGILITY, SCENE, Sweep
 from masonry.sweeps.run_store import Row
@@ -94,12 +95,21 @@ class SweepResult:
             raise SceneError("there is no map: it takes two keys that vary, and a run that has a peak")
         return drawn(figure, path)
 
+    def _repr_html_(self) -> str:
+        cells = [[_short(value) for value in row.values()] for row in self.rows]
+        return html_columns(list(self.columns), cells)
+
     def __repr__(self) -> str:
         counts = Counter(row["status"] for row in self.outcomes)
         lines = [", ".join(f"{count} {status}" for status, count in counts.items())]
         lines += [verdicts_text(self.outcomes) or "no run has a verdict"]
         lines += [self.fragility.sentence] if self.fragility is not None else []
         return "\n".join([*lines, *(visible(f"{self.folder / name}") for name in self.files)])
+
+
+def _short(value: Any) -> str:
+    """A cell of a table in a notebook."""
+    return f"{value:.4g}" if isinstance(value, float) else f"{value}"
 
 
 class Running(NamedTuple):

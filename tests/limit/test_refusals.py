@@ -104,11 +104,11 @@ def test_words_that_contradict_each_other_are_refused(wishes, expected):
 
 def test_crushing_needs_joints_without_tension():
     scene = load(block('[limit]\npattern = "weight"\ndirection = "x"', STRONG))
-    with pytest.raises(SceneError, match="add --no-strength"):
+    with pytest.raises(SceneError, match="add strength=False"):
         masonry.limit(scene, crushing="1 MPa")
     assert masonry.limit(scene, crushing="1 MPa", strength=False).factor < 0.5
 
 
 def test_friction_without_dilation_needs_cones():
-    with pytest.raises(SceneError, match="--no-dilation needs cones; leave out --linear"):
+    with pytest.raises(SceneError, match="dilation=False needs cones; leave out sides="):
         masonry.limit("wall-tilted", dilation=False, sides=16)

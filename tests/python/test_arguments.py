@@ -3,6 +3,7 @@
 import copy
 import os
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -83,7 +84,7 @@ def test_a_convergence_says_which_of_its_words_is_wrong(words):
 
 
 def test_kinds_of_variants_may_stand_in_one_text_as_on_the_command_line():
-    refused(lambda: masonry.sensitivity("couplet", only="pace,cars"), "--only cars: no such kind")
+    refused(lambda: masonry.sensitivity("couplet", only="pace,cars"), "only=cars: no such kind")
 
 
 CHANGES = {
@@ -140,3 +141,26 @@ def test_a_folder_of_a_limit_analysis_is_called_so(tmp_path):
 def test_a_sensitivity_of_axles_that_no_run_bears_is_refused_before_it_runs(tmp_path):
     refused(lambda: masonry.sensitivity("bridge-single-span", tmp_path / "out"), "limit.accuracy: missing")
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: masonry.limit("arch-tilted", crushing="5 MPa", sides=12), "crushing= needs cones"),
+        (lambda: masonry.limit("arch-tilted", at=1.5), "at= is the load factor of safety=True; add safety=True"),
+        (lambda: masonry.limit("arch-tilted", dilation=False, sides=12), "dilation=False needs cones; leave out"),
+    ],
+)
+def test_errors_name_arguments_and_not_options_of_a_command(call, words):
+    with pytest.raises(masonry.SceneError, match=re.escape(words)) as raised:
+        call()
+    assert "--" not in str(raised.value)
+
+
+def test_answers_are_tables_in_a_notebook(tmp_path):
+    arch, modes = masonry.limit("arch-tilted"), masonry.modes("arch", 2)
+    assert f"{arch.factor:.6g}" in arch._repr_html_() and f"{modes.frequencies[1]:.6g} Hz" in modes._repr_html_()
+    arch.plot(tmp_path / "thrust.svg")
+    arch.picture(tmp_path / "mechanism.svg", view="iso")
+    modes.picture(tmp_path / "modes.svg")
+    assert all(path.stat().st_size > 1000 for path in tmp_path.iterdir()) and len(list(tmp_path.iterdir())) == 3

@@ -35,6 +35,16 @@ def test_these_are_the_functions_that_a_user_has():
     ]
 
 
+def test_classes_that_a_user_meets_are_there_and_nothing_else_is_listed():
+    listed = dir(masonry)
+    assert set(listed) == {*FUNCTIONS, *masonry.CLASSES, "__version__"} == {*masonry.__all__, "__version__"}
+    assert all(getattr(masonry, name).__name__ == name for name in masonry.CLASSES)
+    with pytest.raises(masonry.SceneError, match="no scene 'nowhere'"):
+        masonry.load("nowhere")
+    with pytest.raises(AttributeError, match="has no attribute 'Senec'"):
+        getattr(masonry, "Senec")  # noqa: B009
+
+
 @pytest.mark.parametrize("name", ["masonry", *FUNCTIONS])
 def test_the_example_of_a_docstring_prints_what_it_says(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -214,7 +214,7 @@ def test_crushing_with_cohesion_and_the_safety_of_both(method):
 def test_crushing_with_tension_is_refused_and_without_strength_as_by_hand():
     sideways = '[limit]\npattern = "weight"\ndirection = "x"'
     scene = load(glued(sideways, 4e3, 100e3))
-    with pytest.raises(SceneError, match="--crushing is for joints without tensile strength; add --no-strength"):
+    with pytest.raises(SceneError, match="crushing= is for joints without tensile strength; add strength=False"):
         masonry.limit(scene, crushing="40 kPa")
     by_hand = WIDTH / HEIGHT * (1 - WEIGHT / (40e3 * AREA))
     assert masonry.limit(scene, crushing="40 kPa", strength=False).factor == pytest.approx(by_hand, rel=1e-7)
