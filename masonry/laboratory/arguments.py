@@ -29,10 +29,10 @@ def in_words_of_python(text: str) -> str:
     """A sentence of a command, with its options as arguments of a function: crushing= in place of --crushing."""
 
     def argument(option: re.Match[str]) -> str:
-        name = option[1]
-        return SWITCHES[name] + (option[2] or "") if name in SWITCHES else f"{name.replace('-', '_')}="
+        name, rest = option[1], option[2] or ""
+        return SWITCHES[name] + rest if name in SWITCHES else f"{name.replace('-', '_')}="
 
-    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( (?=['\d]|\w+:))?", argument, text)
+    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(=| (?=['\d]|\w+:))?", argument, text)
 
 
 def speaking_python(function: F) -> F:

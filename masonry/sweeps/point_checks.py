@@ -25,7 +25,7 @@ def require_buildable(name: str, planned: Sequence[Planned], workers: int) -> No
     if not wrong:
         return
     fine = len(planned) - len(wrong)
-    more = f"{fine} of {len(planned)} runs can be built: --refused keep runs them, and keeps the others as rows"
+    more = f"{fine} of {len(planned)} runs can be built: --refused=keep runs them, and keeps the others as rows"
     raise faults(name, wrong, len(planned), more if fine else "")
 
 

@@ -110,7 +110,7 @@ def test_points_that_cannot_be_built_end_it_before_the_first_run_with_reason_and
         masonry.sweep(couplet, values, workers=0)
     first, second, last = caught.value.lines
     assert "run 2 of 4" in first and "it must be above" in first and "run 4 of 4" in second
-    assert last == "2 of 4 runs can be built: --refused keep runs them, and keeps the others as rows"
+    assert last == "2 of 4 runs can be built: refused=keep runs them, and keeps the others as rows"
     assert not os.listdir("results")
     result = masonry.sweep(couplet, values, workers=0, refused="keep")
     assert result.columns["status"] == ["OK", "REFUSED", "OK", "REFUSED"]
