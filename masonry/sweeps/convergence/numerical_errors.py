@@ -47,7 +47,11 @@ class NumericalError:
 
 def error_of(answer: Answer, ended: Ended) -> NumericalError | None:
     """Of a number of the scene as it is; None where too few runs have it."""
-    values = [(trial, value) for trial, row in ended if (value := value_of(row, answer)) is not None]
+    return error_of_values(answer, [(t, value) for t, row in ended if (value := value_of(row, answer)) is not None])
+
+
+def error_of_values(answer: Answer, values: Sequence[tuple[Refinement, Value]]) -> NumericalError | None:
+    """Of what each run gave, the scene as it is first; None where too few have it."""
     if not values or values[0][0].name != BASE:
         return None
     base, middle = values[0][1], [(trial, _middle(value)) for trial, value in values]

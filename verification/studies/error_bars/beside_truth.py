@@ -1,69 +1,65 @@
 """Error bars of `masonry converge` on random scenes, beside a truth by brute force.
 
-    .venv/bin/python -m verification.studies.error_bars.beside_truth [--seeds 0-2] [--kinds couplet,wallette]
+    .venv/bin/python -m verification.studies.error_bars.beside_truth [--seeds 0-2] [--kinds KIND,KIND] [--out FILE]
 
-Of each scene all settings that matter are made at least four times as fine as the finest that its error bar comes from
-(tets twice as fine). A line a number: whether the bar holds that value, the error told and the real one, the bar over
-the real error, and what all runs took over the scene itself.
+Of each scene all settings are made at least four times as fine as the finest that its error bar comes from (tets twice
+as fine). A line a number: whether the bar holds that value, the error told and the real one, and what all runs took
+over the scene itself. With `--out` each number stands in a file, with what each run said and what the scene's own run
+measured of each doubt; the same command goes on where it was stopped.
 """
 
 import argparse
+import json
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
+from typing import Any
 
+from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError, nearest
+from masonry.laboratory.cost import forecast
+from masonry.runtime.folders.own_files import RUNS
 from masonry.runtime.tables import columns
-from masonry.scene import Scene
+from masonry.scene import Scene, changed
 from masonry.sweeps.convergence.answers import value_of, with_derived
-from masonry.sweeps.convergence.campaign import TOGETHER, merged
+from masonry.sweeps.convergence.campaign import TOGETHER, Campaign, merged
 from masonry.sweeps.convergence.convergence import Convergence, converge
-from masonry.sweeps.convergence.resolutions import resolutions_of
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.work import OK
+from verification.studies.error_bars.compared import VISIBLE, Compared, append, compared_of, lines_of
+from verification.studies.error_bars.indicators import indicators_of
 from verification.studies.error_bars.random_scenes import KINDS, scene_of
 
-VISIBLE = 1e-5
-"""Relative error from which on a bar is compared with it."""
 BEYOND = 4.0
 """Times as fine as the finest run of the bar is what counts as truth; of tets the square root."""
+SLOWEST = 60.0
+"""Seconds of a truth, beyond which what moved nothing is left as fine as it was made."""
+NOTHING = 1e-6
+"""Relative change that is none."""
 
 
-@dataclass(frozen=True)
-class Compared:
-    """One number of one scene, relative to its value: the error told, its bar, and the real error."""
-
-    kind: str
-    seed: int
-    words: str
-    stated: float
-    half_width: float
-    real: float
-    cost: float
-
-    @property
-    def holds(self) -> bool:
-        """Whether the bar holds the truth, rounding apart."""
-        return abs(self.real - self.stated) <= self.half_width + 1e-6
-
-    def __str__(self) -> str:
-        mark = "     " if self.holds else "MISS "
-        numbers = "".join(f"{100 * x:10.3f}" for x in (self.stated, self.half_width, self.real))
-        return f"{mark}{self.kind:<34}{self.seed:>4}  {self.words:<22}{numbers}{self.cost:7.1f}"
+def truth_settings(scene: Scene, result: Convergence) -> dict[str, Any]:
+    """Settings of the truth: BEYOND as fine as the finest run of each, and the interval of a load factor as much
+    narrower."""
+    everything = _settings(scene, result, {trial.name for trial, _ in result.runs})
+    if forecast(assemble(changed(scene, everything))).seconds[0] <= SLOWEST:
+        return everything
+    moved = {
+        name for error in result.errors for name, part in error.parts.items() if abs(part) > NOTHING * abs(error.value)
+    }
+    return _settings(scene, result, moved)
 
 
-def truth_settings(scene: Scene, result: Convergence) -> dict[str, object]:
-    """Settings of the truth: what moved a number BEYOND what it was made; the rest as fine as it was made."""
-    moved = {name for error in result.errors for name, part in error.parts.items() if part}
+def _settings(scene: Scene, result: Convergence, refined: Collection[str]) -> dict[str, Any]:
     finest = {trial.name: trial.factor for trial, _ in result.runs if trial.name != TOGETHER and trial.factor > 1.0}
-    settings: dict[str, object] = {}
-    for resolution in resolutions_of(scene):
+    accuracy = None if scene.limit is None else scene.limit.accuracy
+    settings: dict[str, Any] = {"limit.accuracy": accuracy / BEYOND} if isinstance(accuracy, float) else {}
+    for resolution in Campaign(scene).resolutions:
         factor = finest.get(resolution.name, 1.0)
-        if resolution.name in moved:
+        if resolution.name in refined:
             factor *= BEYOND if resolution.factors[0] > 1.0 else BEYOND**0.5
         while factor > 1.0 and (finer := resolution.settings(factor)) is None:
             factor /= 2.0
@@ -76,19 +72,21 @@ def compare(kind: str, seed: int, folder: Path) -> Iterator[Compared]:
     """Each number of a scene, and its truth."""
     scene = scene_of(kind, seed)
     result = converge(scene, folder, workers=0)
+    base = result.runs[0][1]
     if not result.has_come_to_its_end:
-        raise SceneError(f"{kind} {seed}: {result.runs[0][1]['reason']}")
-    (row,) = run_alone([Job(scene, truth_settings(scene, result))], folder, 0)
+        raise SceneError(base["reason"])
+    settings = truth_settings(scene, result)
+    (row,) = run_alone([Job(scene, settings)], folder, 0)
     if row["status"] != OK:
-        raise SceneError(f"{kind} {seed}: its truth: {row['reason']}")
-    truth = with_derived(row, folder)
+        raise SceneError(f"its truth: {row['reason']}")
+    truth, indicators = with_derived(row, folder), indicators_of(folder / RUNS / base["key"])
     seconds = [row["seconds_processor_run"] for _, row in result.runs if row["status"] == OK]
     for error in result.errors:
         value = value_of(truth, error.answer)
         if value is not None and error.value:
-            size, real = abs(error.value), error.value - value.number - value.interval
-            numbers = error.error / size, error.half_width / size, real / size
-            yield Compared(kind, seed, error.answer.words, *numbers, sum(seconds[1:]) / seconds[0])
+            runs = tuple((t, known) for t, row in result.runs if (known := value_of(row, error.answer)) is not None)
+            cost, both = sum(seconds[1:]) / seconds[0], (seconds[0], row["seconds_processor_run"])
+            yield Compared(kind, seed, error.answer, value, cost, both, runs, settings, base["verdict"], indicators)
 
 
 def main() -> None:
@@ -96,6 +94,8 @@ def main() -> None:
     words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words.add_argument("--seeds", default="0-2", help="first and last")
     words.add_argument("--kinds", help="with commas (default: all)")
+    words.add_argument("--out", type=Path, help="a file of a line a number; scenes that stand in it are not run again")
+    words.add_argument("--no-runs", action="store_true", help="only scenes of --out, by the rules of today")
     chosen = words.parse_args()
     first, last = map(int, chosen.seeds.split("-"))
     kinds = chosen.kinds.split(",") if chosen.kinds else list(KINDS)
@@ -103,16 +103,28 @@ def main() -> None:
         words.error(f"--kinds {unknown[0]}: {nearest(unknown[0], KINDS)}")
     print(f"     {'kind':<34}{'seed':>4}  {'number':<22}{'told %':>10}{'bar %':>10}{'real %':>10}{'cost':>7}")
     rows: list[Compared] = []
-    for kind in kinds:
-        for seed in range(first, last + 1):
-            with TemporaryDirectory() as folder:
-                try:
-                    for row in compare(kind, seed, Path(folder) / "runs"):
-                        rows.append(row)
-                        print(row, flush=True)
-                except SceneError as error:
-                    print(f"     {error}"[:160], file=sys.stderr, flush=True)
+    scenes = [(kind, seed) for seed in range(first, last + 1) for kind in kinds]
+    for kind, seed in scenes:
+        for row in numbers_of(kind, seed, chosen.out, chosen.no_runs):
+            rows.append(row)
+            print(row, flush=True)
     print(summary(rows))
+
+
+def numbers_of(kind: str, seed: int, out: Path | None = None, is_done: bool = False) -> list[Compared]:
+    """Its numbers, from the file, or run and written there."""
+    lines = [line for line in lines_of(out) if (line["kind"], line["seed"]) == (kind, seed)] if out else []
+    if lines or is_done:
+        return [compared_of(line) for line in lines if "failed" not in line]
+    with TemporaryDirectory() as folder:
+        try:
+            rows = list(compare(kind, seed, Path(folder) / "runs"))
+        except SceneError as error:
+            print(f"     {kind} {seed}: {error}"[:160], file=sys.stderr, flush=True)
+            append(out, [json.dumps({"kind": kind, "seed": seed, "failed": str(error)}) + "\n"])
+            return []
+    append(out, [row.as_line() for row in rows])
+    return rows
 
 
 def summary(rows: Sequence[Compared]) -> str:
