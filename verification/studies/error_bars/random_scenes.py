@@ -6,26 +6,27 @@ from typing import Any
 import numpy as np
 
 from masonry.scene import Scene, load
-
-Draw = np.random.Generator
-LAWS = ("brittle", "linear", "exponential")
-
-
-def _length(draw: Draw, low: float, high: float) -> str:
-    return f"{1e3 * draw.uniform(low, high):.4g} mm"
-
-
-def _stress(draw: Draw, low: float, high: float) -> str:
-    return f"{draw.uniform(low, high):.4g} MPa"
+from verification.studies.error_bars.draws import LAWS, Draw, length, stress
+from verification.studies.error_bars.random_motions import glued_column, rocking_block, sliding_block
+from verification.studies.error_bars.random_walls import (
+    arch_under_axle,
+    bent_wallette,
+    large_tilted_wall,
+    rocking_wall,
+    wall_pushed_forwards,
+    wall_to_and_fro,
+    wall_with_window,
+    wallette_to_and_fro,
+)
 
 
 def _couplet(draw: Draw) -> dict[str, Any]:
     return {
         "base": "couplet",
         "law": str(draw.choice(LAWS)),
-        "confinement": _stress(draw, 0.05, 1.0),
-        "specimen": {"length": _length(draw, 0.1, 0.3), "height": _length(draw, 0.04, 0.12)},
-        "drive": {"displacement": _length(draw, 2e-4, 1.5e-3)},
+        "confinement": stress(draw, 0.05, 1.0),
+        "specimen": {"length": length(draw, 0.1, 0.3), "height": length(draw, 0.04, 0.12)},
+        "drive": {"displacement": length(draw, 2e-4, 1.5e-3)},
     }
 
 
@@ -43,18 +44,18 @@ def _couplet_in_tension(draw: Draw) -> dict[str, Any]:
         "base": "couplet",
         "law": str(draw.choice(LAWS)),
         "confinement": "0 MPa",
-        "specimen": {"length": _length(draw, 0.1, 0.3), "height": _length(draw, 0.05, 0.15)},
+        "specimen": {"length": length(draw, 0.1, 0.3), "height": length(draw, 0.05, 0.15)},
         "support": [{"on": "bottom", "fix": "all"}, {"on": "top", "fix": ["y", "rotation x", "rotation z"]}],
-        "drive": {"direction": "x", "displacement": _length(draw, 1e-4, 4e-4)},
+        "drive": {"direction": "x", "displacement": length(draw, 1e-4, 4e-4)},
     }
 
 
 def _triplet(draw: Draw) -> dict[str, Any]:
     return {
         "base": "triplet-dry",
-        "confinement": _stress(draw, 0.05, 1.0),
+        "confinement": stress(draw, 0.05, 1.0),
         "contact": {"unit_unit": {"tan_friction_angle": float(draw.uniform(0.4, 0.9))}},
-        "specimen": {"length": _length(draw, 0.15, 0.35), "height": _length(draw, 0.04, 0.1)},
+        "specimen": {"length": length(draw, 0.15, 0.35), "height": length(draw, 0.04, 0.1)},
     }
 
 
@@ -67,11 +68,11 @@ def _wallette(draw: Draw) -> dict[str, Any]:
         "specimen": {
             "courses": int(draw.integers(2, 5)),
             "units_per_course": int(draw.integers(1, 3)),
-            "unit_length": _length(draw, 0.18, 0.3),
+            "unit_length": length(draw, 0.18, 0.3),
             "divisions": [int(2 * draw.integers(1, 3)), int(draw.integers(1, 3))],
         },
         "contact": {"unit_unit": joint},
-        "drive": {"displacement": _length(draw, 1e-4, 5e-4), "accuracy": float(draw.choice([0.01, 0.02, 0.05]))},
+        "drive": {"displacement": length(draw, 1e-4, 5e-4), "accuracy": float(draw.choice([0.01, 0.02, 0.05]))},
     }
 
 
@@ -80,11 +81,11 @@ def _column(draw: Draw) -> dict[str, Any]:
         "base": "column-pushed",
         "specimen": {
             "drums": int(draw.integers(2, 5)),
-            "height": _length(draw, 1.5, 3.5),
+            "height": length(draw, 1.5, 3.5),
             "sides": int(draw.choice([4, 6, 8, 12])),
         },
         "contact": {"unit_unit": {"tan_friction_angle": float(draw.uniform(0.5, 0.8))}},
-        "drive": {"displacement": _length(draw, 4e-3, 2e-2), "accuracy": float(draw.choice([0.01, 0.03]))},
+        "drive": {"displacement": length(draw, 4e-3, 2e-2), "accuracy": float(draw.choice([0.01, 0.03]))},
     }
 
 
@@ -94,7 +95,7 @@ def _tilted_wall(draw: Draw) -> dict[str, Any]:
         "specimen": {
             "courses": int(draw.integers(3, 7)),
             "units_per_course": int(draw.integers(2, 5)),
-            "unit_length": _length(draw, 0.25, 0.5),
+            "unit_length": length(draw, 0.25, 0.5),
         },
         "contact": {"unit_unit": {"tan_friction_angle": float(draw.uniform(0.5, 0.8))}},
     }
@@ -103,14 +104,14 @@ def _tilted_wall(draw: Draw) -> dict[str, Any]:
 def _tied_wall(draw: Draw) -> dict[str, Any]:
     return {
         "base": "wall-tied",
-        "specimen": {"thickness": _length(draw, 0.25, 0.4)},
+        "specimen": {"thickness": length(draw, 0.25, 0.4)},
         "bar": [
             {
                 "ends": [["0.6 m", "0.15 m", "1.65 m"], ["0.6 m", "2.15 m", "1.65 m"]],
                 "fixed_end": "second",
                 "area": "1.13 cm^2",
                 "young_modulus": "210 GPa",
-                "strength": _stress(draw, 5.0, 25.0),
+                "strength": stress(draw, 5.0, 25.0),
                 "repeat": 2,
                 "spacing": ["1.8 m", "0 m", "0 m"],
             }
@@ -122,8 +123,8 @@ def _tied_wall(draw: Draw) -> dict[str, Any]:
 def _prism(draw: Draw) -> dict[str, Any]:
     return {
         "base": "prism-in-compression",
-        "specimen": {"length": _length(draw, 0.15, 0.25)},
-        "drive": {"displacement": _length(draw, 8e-4, 1.4e-3), "accuracy": float(draw.choice([0.01, 0.03]))},
+        "specimen": {"length": length(draw, 0.15, 0.25)},
+        "drive": {"displacement": length(draw, 8e-4, 1.4e-3), "accuracy": float(draw.choice([0.01, 0.03]))},
     }
 
 
@@ -133,7 +134,7 @@ def _arch(draw: Draw) -> dict[str, Any]:
         "specimen": {
             "voussoirs": int(draw.integers(5, 14)),
             "angle": f"{draw.uniform(110, 180):.4g} deg",
-            "thickness": _length(draw, 0.13, 0.25),
+            "thickness": length(draw, 0.13, 0.25),
             "points_per_edge": int(draw.integers(2, 4)),
         },
         "drive": {"history": [f"-{draw.uniform(0.2, 2.0):.4g} mm"]},
@@ -143,14 +144,14 @@ def _arch(draw: Draw) -> dict[str, Any]:
 def _crushing_wall(draw: Draw) -> dict[str, Any]:
     return {
         "base": "shear-wall-size",
-        "confinement": _stress(draw, 0.3, 1.2),
+        "confinement": stress(draw, 0.3, 1.2),
         "specimen": {
             "courses": int(draw.integers(3, 6)),
             "units_per_course": int(draw.integers(2, 4)),
             "divisions": [1, 1],
             "points_per_edge": {"x": int(draw.integers(4, 9)), "z": 3},
         },
-        "drive": {"displacement": _length(draw, 2e-3, 6e-3), "accuracy": float(draw.choice([0.01, 0.03]))},
+        "drive": {"displacement": length(draw, 2e-3, 6e-3), "accuracy": float(draw.choice([0.01, 0.03]))},
     }
 
 
@@ -160,40 +161,10 @@ def _affine(draw: Draw) -> dict[str, Any]:
 
 def _tets(draw: Draw) -> dict[str, Any]:
     scene = _couplet(draw) | {"kinematics": "tets"}
-    scene["specimen"] |= {"mesh_size": _length(draw, 0.02, 0.05)}
+    scene["specimen"] |= {"mesh_size": length(draw, 0.02, 0.05)}
     scene["support"] = [{"on": "bottom.z-", "fix": ["x", "y", "z"]}, {"on": "top", "fix": ["y"]}]
-    scene["drive"] = {"on": "top.z+", "direction": "x", "displacement": _length(draw, 5e-5, 2e-4)}
+    scene["drive"] = {"on": "top.z+", "direction": "x", "displacement": length(draw, 5e-5, 2e-4)}
     return scene
-
-
-def _elastic_shaking(draw: Draw) -> dict[str, Any]:
-    """A glued column on ground that moves: nothing cracks."""
-    size, frequency = draw.uniform(0.5, 2.0), draw.uniform(3.0, 12.0)
-    return {
-        "law": "elastic",
-        "kinematics": "rigid",
-        "specimen": {
-            "kind": "prism",
-            "units": int(draw.integers(2, 5)),
-            "length": _length(draw, 0.2, 0.4),
-            "width": _length(draw, 0.2, 0.3),
-            "height": _length(draw, 0.2, 0.4),
-        },
-        "material": {"units": {"density": "1900 kg/m^3"}},
-        "contact": {
-            "unit_unit": {
-                "normal_stiffness": f"{draw.uniform(0.05, 0.5):.4g} GPa/m",
-                "shear_stiffness": f"{draw.uniform(0.05, 0.2):.4g} GPa/m",
-            }
-        },
-        "support": [{"on": "bottom", "fix": "all"}],
-        "gravity": {"z": "-9.81 m/s^2"},
-        "settle": {"steps": 4000},
-        "ground": {"x": f"{0.1 * size:.4g} g * sin(2 * pi * {frequency:.4g} * t / (1 s))", "duration": "1.5 s"},
-        "damping": {"rayleigh": {"ratio": "3 %", "between": ["5 Hz", "60 Hz"]}},
-        "solver": {"duration": "2 s", "step_fraction": float(draw.choice([0.9, 0.5]))},
-        "gauge": [{"name": "sway", "at": "top", "direction": "x"}],
-    }
 
 
 def _large(draw: Draw) -> dict[str, Any]:
@@ -214,8 +185,18 @@ KINDS: dict[str, Callable[[Draw], dict[str, Any]]] = {
     "wall whose toes crush": _crushing_wall,
     "wallette of affine blocks": _affine,
     "couplet of tets": _tets,
-    "shaken glued column": _elastic_shaking,
+    "shaken glued column": glued_column,
     "dry triplet in large displacement": _large,
+    "wall with a window": wall_with_window,
+    "wallette that is bent": bent_wallette,
+    "dry wall that rocks": rocking_wall,
+    "wallette to and fro": wallette_to_and_fro,
+    "wall to and fro": wall_to_and_fro,
+    "arch under an axle": arch_under_axle,
+    "wall pushed across its plane": wall_pushed_forwards,
+    "tilted dry wall in large displacement": large_tilted_wall,
+    "shaken block that slides": sliding_block,
+    "block that rocks": rocking_block,
 }
 
 
