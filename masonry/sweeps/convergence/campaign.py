@@ -40,6 +40,7 @@ class Refinement:
     settings  by dotted key
     cost      expected, over that of the scene as it is
     members   of TOGETHER, the resolutions that are made finer, and by which factor
+    at_edges  points from edge to edge of the joints, where it is these that are made finer
     """
 
     name: str
@@ -47,6 +48,7 @@ class Refinement:
     settings: dict[str, Any]
     cost: float = 1.0
     members: tuple[tuple[str, float], ...] = ()
+    at_edges: int | None = None
 
     @property
     def label(self) -> str:
@@ -109,8 +111,8 @@ class Campaign:
         largest = max(changes.values(), default=0.0)
         remaining = self.limit - spent
         if largest <= FLAT * scatter:
-            again = Refinement(SCATTER, 1.0, jitter(self.scene, 1.0 / JITTER))
-            return [again] if scatter > 0.0 and remaining >= 1.0 else []
+            again = replace(done[0], name=SCATTER, settings=jitter(self.scene, 1.0 / JITTER))
+            return self._within([*self._of_edges(done), again if scatter > 0.0 else None], remaining)
         finer = {r.name: r for r in self.resolutions if any(t.name == r.name and t.factor > 1.0 for t in done)}
         matter = [name for name in finer if changes.get(name, 0.0) > MATTERS * largest]
         trials = []
@@ -119,6 +121,16 @@ class Campaign:
         name = max(finer, key=lambda name: changes.get(name, 0.0), default=None)
         if name is not None and len(finer[name].factors) > 1 and finer[name].factors[0] > 1.0:
             trials.append(self.trial(finer[name], finer[name].factors[1]))
+        return self._within(trials, remaining)
+
+    def _of_edges(self, done: Sequence[Refinement]) -> list[Refinement | None]:
+        """Points from edge to edge, which may move nothing until they are many, once more, the cheapest first."""
+        tried = {trial.name for trial in done}
+        again = [self.trial(r, r.factors[1]) for r in self.resolutions if r.at_edges is not None and r.name in tried]
+        return sorted(again, key=lambda trial: 0.0 if trial is None else trial.cost)
+
+    def _within(self, trials: Sequence[Refinement | None], remaining: float) -> list[Refinement]:
+        """Those of some runs, in their order, that a cost reaches."""
         chosen = []
         for trial in trials:
             if trial is not None and trial.cost <= remaining:
@@ -141,7 +153,10 @@ class Campaign:
         if resolution.name == "points along y" and self.y_is_idle:
             return None
         settings = resolution.settings(factor)
-        return None if settings is None else self._costed(Refinement(resolution.name, factor, settings))
+        if settings is None:
+            return None
+        at_edges = None if resolution.at_edges is None else resolution.at_edges(factor)
+        return self._costed(Refinement(resolution.name, factor, settings, at_edges=at_edges))
 
     def _costed(self, trial: Refinement) -> Refinement | None:
         """With what it costs; None where the scene does not take it, or it changes nothing."""

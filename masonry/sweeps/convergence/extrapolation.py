@@ -6,7 +6,7 @@ M. Hoekstra, Journal of Computational Physics 262 (2014) 104: a fit where values
 """
 
 from collections.abc import Sequence
-from math import hypot, log, sqrt
+from math import hypot, isclose, log, sqrt
 from typing import NamedTuple
 
 from scipy.stats import t as student
@@ -18,7 +18,7 @@ ROUNDING = 1e-9
 OF_THREE = 1.25
 """Times the remainder behind three values that their bar reaches to both sides, after Roache."""
 OF_TWO = 2.5
-"""Times the difference of two values that their bar reaches to both sides."""
+"""Times the remainder behind two values, at an order of one, that their bar reaches to both sides."""
 WIDENED, GROWING = 1.5, 3.0
 """Times the largest difference that the bar reaches where values swing, and where they run away."""
 FLAT = 3.0
@@ -37,8 +37,8 @@ class Estimate(NamedTuple):
 def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) -> Estimate:
     """Of one resolution.
 
-    values   factor of refinement and value, that of the scene (factor 1) among them; at least two; three stand at equal
-             ratios
+    values   factor of refinement and value, that of the scene (factor 1) among them; at least two. Three have an order
+             where they stand at equal ratios; otherwise the two finest count
     scatter  by which runs differ that differ in nothing
     Differences that are no larger than FLAT times the scatter change nothing.
     """
@@ -49,8 +49,8 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
     so_far = ladder[-1][1] - scene
     if max(map(abs, differences)) <= FLAT * scatter:
         return Estimate(0.0, max(map(abs, differences)))
-    if len(ladder) == 2:
-        return _of_two(differences[0], ratio, so_far)
+    if len(ladder) == 2 or not isclose(ratio, ladder[-2][0] / ladder[-3][0]):
+        return _of_two(differences[-1], ratio, so_far)
     before, last = differences[-2:]
     if before * last > 0.0 and abs(before) > abs(last):
         order = log(before / last) / log(ratio)
@@ -64,7 +64,7 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
 def _of_two(difference: float, ratio: float, so_far: float) -> Estimate:
     """One difference: it goes on with one of the usual orders."""
     first, second = (_remainder(difference, ratio, order) for order in USUAL_ORDERS)
-    return Estimate(so_far + 0.5 * (first + second), OF_TWO * max(abs(difference), abs(first)))
+    return Estimate(so_far + 0.5 * (first + second), OF_TWO * abs(first))
 
 
 def _remainder(difference: float, ratio: float, order: float) -> float:

@@ -1,11 +1,12 @@
 """The error of each number of a scene, from the runs of a campaign."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import hypot
 
 from masonry.sweeps.convergence.answers import Answer, Value, value_of
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Refinement
+from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.convergence.extrapolation import FLAT, Estimate, extrapolated, scatter_bar, together
 from masonry.sweeps.run_store import Row
 
@@ -47,17 +48,26 @@ class NumericalError:
 
 def error_of(answer: Answer, ended: Ended) -> NumericalError | None:
     """Of a number of the scene as it is; None where too few runs have it."""
-    return error_of_values(answer, [(t, value) for t, row in ended if (value := value_of(row, answer)) is not None])
+    values = [(trial, value) for trial, row in ended if (value := value_of(row, answer)) is not None]
+    return error_of_values(answer, values, unresolved(ended) if answer.key in STRENGTHS else {})
 
 
-def error_of_values(answer: Answer, values: Sequence[tuple[Refinement, Value]]) -> NumericalError | None:
-    """Of what each run gave, the scene as it is first; None where too few have it."""
+def error_of_values(
+    answer: Answer, values: Sequence[tuple[Refinement, Value]], unresolved: Mapping[str, float]
+) -> NumericalError | None:
+    """Of what each run gave, the scene as it is first; None where too few have it.
+
+    unresolved  by resolution, a part of the number that its finest run may not have seen
+    """
     if not values or values[0][0].name != BASE:
         return None
     base, middle = values[0][1], [(trial, _middle(value)) for trial, value in values]
     again = [number - _middle(base) for trial, number in middle if trial.name == SCATTER]
     scatter = hypot(max(map(abs, again), default=0.0), base.interval)
-    parts = _parts(middle, scatter)
+    parts = {
+        name: _seen(part, unresolved.get(name, 0.0) * abs(base.number))
+        for name, part in _parts(middle, scatter).items()
+    }
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
@@ -68,6 +78,10 @@ def error_of_values(answer: Answer, values: Sequence[tuple[Refinement, Value]]) 
     return NumericalError(
         answer, base.number, limit, estimate.half_width, estimate.order, parts_of_error, scattered, base.interval
     )
+
+
+def _seen(part: Estimate, unseen: float) -> Estimate:
+    return part._replace(half_width=max(part.half_width, unseen))
 
 
 def _middle(value: Value) -> float:

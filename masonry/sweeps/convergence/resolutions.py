@@ -15,9 +15,12 @@ ALONG = "points along "
 ONE_AXIS, ALL_EDGES = tuple(f"{ALONG}{axis}" for axis in "xyz"), (f"{ALONG}all edges",)
 """Names of what refines points along the edges of joints: by axis, or of joints that are no parallelograms all at once,
 as the fewest along any two axes count in these."""
-DOUBLED, MESH = (2.0, 4.0), (1.0 / 1.5, 1.5)
+DOUBLED, FROM_EDGES, MESH = (2.0, 4.0), (4.0, 8.0), (1.0 / 1.5, 1.5)
 """Factors of refinement that are tried one after the other. Half the size of tets costs ten to sixteen times as much,
-so that a coarser mesh stands on the other side of the scene's."""
+so that a coarser mesh stands on the other side of the scene's. Two and four points from edge to edge bear alike where
+blocks turn about their edges, and tell nothing."""
+FEW_AT_EDGES = 4
+"""Points from edge to edge, below which they are made FROM_EDGES as many."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +31,14 @@ class Resolution:
     settings  of a factor by which it is made finer (below 1: coarser): what is set, by dotted key; None where the
               scene does not take it
     factors   of refinement that are tried, in their order
+    at_edges  of a factor, how many points from edge to edge, both ends among them, a joint has; None where points lie
+              inside
     """
 
     name: str
     settings: Callable[[float], dict[str, Any] | None]
     factors: tuple[float, ...] = DOUBLED
+    at_edges: Callable[[float], int] | None = None
 
 
 def resolutions_of(scene: Scene) -> list[Resolution]:
@@ -88,7 +94,7 @@ def _of_points(scene: Scene) -> Iterator[Resolution]:
     spec, number = scene.specimen, scene.points_per_edge
     if number is not None:
         for name, axes in (*zip(ONE_AXIS, "xyz", strict=True), (*ALL_EDGES, "xyz")):
-            yield _along(name, axes, number._asdict())
+            yield _along(name, axes, number._asdict(), scene.contact_points == "vertex")
     elif spec.points_per_face is not None:
         per_face = spec.points_per_face
         yield Resolution("points per face", lambda factor: {"specimen.points_per_face": round(per_face * factor**2)})
@@ -97,14 +103,21 @@ def _of_points(scene: Scene) -> Iterator[Resolution]:
         yield Resolution("spacing of points", lambda factor: {"specimen.contact_spacing": f"{spacing / factor!r} m"})
 
 
-def _along(name: str, axes: str, number: dict[str, int]) -> Resolution:
+def _along(name: str, axes: str, number: dict[str, int], from_edges: bool) -> Resolution:
     """Points along the edges of some axes, two at least where they become fewer."""
 
-    def settings(factor: float) -> dict[str, Any]:
-        more = {axis: max(round(n * factor), min(n, 2)) if axis in axes else n for axis, n in number.items()}
-        return {"specimen.points_per_edge": more}
+    def more(factor: float) -> dict[str, int]:
+        return {axis: max(round(n * factor), min(n, 2)) if axis in axes else n for axis, n in number.items()}
 
-    return Resolution(name, settings)
+    def at_edges(factor: float) -> int:
+        return min(n for axis, n in more(factor).items() if axis in axes)
+
+    def settings(factor: float) -> dict[str, Any]:
+        return {"specimen.points_per_edge": more(factor)}
+
+    if not from_edges:
+        return Resolution(name, settings)
+    return Resolution(name, settings, FROM_EDGES if at_edges(1.0) < FEW_AT_EDGES else DOUBLED, at_edges)
 
 
 def _of_patches(scene: Scene) -> Iterator[Resolution]:

@@ -26,6 +26,7 @@ from masonry.scene import Scene, changed
 from masonry.sweeps.convergence.answers import value_of, with_derived
 from masonry.sweeps.convergence.campaign import TOGETHER, Campaign, merged
 from masonry.sweeps.convergence.convergence import Convergence, converge
+from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.work import OK
@@ -35,8 +36,8 @@ from verification.studies.error_bars.random_scenes import KINDS, scene_of
 
 BEYOND = 4.0
 """Times as fine as the finest run of the bar is what counts as truth; of tets the square root."""
-SLOWEST = 60.0
-"""Seconds of a truth, beyond which what moved nothing is left as fine as it was made."""
+SLOWEST = 15.0
+"""Seconds that a truth is forecast to take, beyond which what moved nothing is left as fine as it was made."""
 NOTHING = 1e-6
 """Relative change that is none."""
 
@@ -80,13 +81,17 @@ def compare(kind: str, seed: int, folder: Path) -> Iterator[Compared]:
     if row["status"] != OK:
         raise SceneError(f"its truth: {row['reason']}")
     truth, indicators = with_derived(row, folder), indicators_of(folder / RUNS / base["key"])
+    blind = unresolved(result.runs)
     seconds = [row["seconds_processor_run"] for _, row in result.runs if row["status"] == OK]
     for error in result.errors:
         value = value_of(truth, error.answer)
         if value is not None and error.value:
             runs = tuple((t, known) for t, row in result.runs if (known := value_of(row, error.answer)) is not None)
             cost, both = sum(seconds[1:]) / seconds[0], (seconds[0], row["seconds_processor_run"])
-            yield Compared(kind, seed, error.answer, value, cost, both, runs, settings, base["verdict"], indicators)
+            unseen = blind if error.answer.key in STRENGTHS else {}
+            yield Compared(
+                kind, seed, error.answer, value, cost, both, runs, settings, base["verdict"], indicators, unseen
+            )
 
 
 def main() -> None:

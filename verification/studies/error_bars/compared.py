@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,7 @@ class Compared:
     settings       of the truth, by dotted key
     verdict        of the scene's own run
     indicators     what it measured of each doubt
+    unresolved     by resolution, what its finest run may not have seen, over the number
     """
 
     kind: str
@@ -41,11 +42,12 @@ class Compared:
     settings: Mapping[str, Any]
     verdict: str
     indicators: tuple[Indicator, ...]
+    unresolved: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
     def error(self) -> NumericalError:
         """What is told of the number."""
-        error = error_of_values(self.answer, self.runs)
+        error = error_of_values(self.answer, self.runs, self.unresolved)
         assert error is not None
         return error
 
@@ -91,6 +93,7 @@ def _plain(compared: Compared) -> dict[str, Any]:
         "truth": asdict(compared.truth),
         "runs": runs,
         "settings": dict(compared.settings),
+        "unresolved": dict(compared.unresolved),
         "indicators": [indicator.as_keys() for indicator in compared.indicators],
     }
 
@@ -124,6 +127,7 @@ def compared_of(line: Mapping[str, Any]) -> Compared:
         line["settings"],
         line["verdict"],
         tuple(Indicator(**indicator) for indicator in line["indicators"]),
+        line.get("unresolved", {}),
     )
 
 

@@ -104,7 +104,7 @@ def _tilted_wall(draw: Draw) -> dict[str, Any]:
 def _tied_wall(draw: Draw) -> dict[str, Any]:
     return {
         "base": "wall-tied",
-        "specimen": {"thickness": length(draw, 0.25, 0.4)},
+        "specimen": {"length": "1.8 m", "height": "1.8 m", "thickness": length(draw, 0.25, 0.4)},
         "bar": [
             {
                 "ends": [["0.6 m", "0.15 m", "1.65 m"], ["0.6 m", "2.15 m", "1.65 m"]],
@@ -113,7 +113,7 @@ def _tied_wall(draw: Draw) -> dict[str, Any]:
                 "young_modulus": "210 GPa",
                 "strength": stress(draw, 5.0, 25.0),
                 "repeat": 2,
-                "spacing": ["1.8 m", "0 m", "0 m"],
+                "spacing": ["0.6 m", "0 m", "0 m"],
             }
         ],
         "limit": {"accuracy": float(draw.choice([0.005, 0.02]))},
