@@ -92,6 +92,7 @@ def converge(
     workers: int | None = None,
     tell: Callable[[str], None] | None = None,
     form: str = "png",
+    modes: int | None = None,
 ) -> "Convergence":
     """Refine a scene: how far are its numbers from what the same model gives when it is refined without end?
 
@@ -102,6 +103,7 @@ def converge(
     cost     times the scene itself that all other runs may take: 6 where none is given, with tets 8
     workers  processes (default: all processors); tell is called with a line for each run that ends
     form     of the picture: "png", "pdf" or "svg"
+    modes    the frequencies of so many modes, in place of the numbers of a run
     What comes back prints as `masonry converge` does; `.errors` has value, limit, error and the half_width of the 95 %
     interval of each number. Raises SceneError or GeometryError before anything runs.
 
@@ -110,14 +112,19 @@ def converge(
     >>> dissipated.at_most < 0.01 * dissipated.value
     True
     """
+    from masonry.errors import SceneError
     from masonry.importing.handed_blocks import scene_of
     from masonry.laboratory.arguments import called, number, path, whole, words
+    from masonry.sweeps.convergence.analyses import frequency_keys
     from masonry.sweeps.convergence.convergence import converge as refine
 
     folder = None if out is None else path("out", out)
     workers = None if workers is None else whole("workers", workers, 1, 10_000)
     cost, tell = None if cost is None else number("cost", cost, 1.0, 1e6), called("tell", tell, None)
-    return refine(scene_of(scene), folder, words("of", of), to, cost, workers, tell, form=form)
+    numbers = words("of", of) if modes is None else frequency_keys(whole("modes", modes, 1, 100))
+    if of and modes is not None:
+        raise SceneError("of names numbers, and modes the frequencies of so many modes: leave one of them out")
+    return refine(scene_of(scene), folder, numbers, to, cost, workers, tell, form=form)
 
 
 @speaking_python

@@ -13,7 +13,7 @@ from masonry.runtime.progress import ProgressLines, Tell
 from masonry.sweeps.job import Job, names
 from masonry.sweeps.run_store import Row, Store
 from masonry.sweeps.sweep_folder import DOING
-from masonry.sweeps.work import ERROR, RunEnd, compute
+from masonry.sweeps.work import ERROR, ModesTask, RunEnd, compute
 
 WORKERS = 2
 
@@ -50,7 +50,7 @@ def run_alone(
     called = dict(zip(wanted, names(list(wanted.values())), strict=True))
     tally = ProgressLines((called[job.key()] for job in missing), tell)
     try:
-        with closing(_ends([job.resolved for job in missing], workers, executor)) as ends:
+        with closing(_ends([job.task for job in missing], workers, executor)) as ends:
             for number, ended in ends:
                 job = missing[number]
                 row = rows[job.key()] = store.keep(job.key(), ended)
@@ -60,9 +60,9 @@ def run_alone(
     return [dict(rows[job.key()]) for job in jobs]
 
 
-def _ends(scenes: list[str], workers: int, executor: Any) -> Generator[tuple[int, RunEnd]]:
-    """Number of each scene and what became of its run, as they end."""
-    if not scenes:
+def _ends(tasks: list[str | ModesTask], workers: int, executor: Any) -> Generator[tuple[int, RunEnd]]:
+    """Number of each task and what became of it, as they end."""
+    if not tasks:
         return
     if workers < 0:
         raise SceneError(f"{workers} workers: 0 (all in this process) or more")
@@ -70,10 +70,10 @@ def _ends(scenes: list[str], workers: int, executor: Any) -> Generator[tuple[int
     if executor is not None:
         from masonry.sweeps.cluster import work_on
 
-        ends = work_on(executor, compute, scenes)
+        ends = work_on(executor, compute, tasks)
     elif workers == 0:
-        ends = ((number, compute(scene)) for number, scene in enumerate(scenes))
+        ends = ((number, compute(task)) for number, task in enumerate(tasks))
     else:
-        ends = work(compute, scenes, workers, math.inf)
+        ends = work(compute, tasks, workers, math.inf)
     for number, end in ends:
         yield number, RunEnd(ERROR, end.reason, end.seconds) if isinstance(end, Lost) else end

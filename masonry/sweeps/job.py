@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from masonry.jit.sources import ALL, source_hash
 from masonry.laboratory.summary.provenance import SHOWING, file_of_blocks, files_of_records, other_sources
+from masonry.sweeps.work import ModesTask
 
 if TYPE_CHECKING:
     from masonry.scene import Scene
@@ -46,11 +47,13 @@ class Job:
     scene     a scene, a packaged scene's name or a path
     settings  dotted key -> value, as `masonry.load(scene, settings)` takes them
     label     what progress calls it; where none is given, what is set in it and not in all others
+    modes     number of its slowest modes that are computed in place of a run; 0: it is run
     """
 
     scene: "Scene | str | Path"
     settings: Mapping[str, Any] = field(default_factory=dict)
     label: str = ""
+    modes: int = 0
 
     @cached_property
     def _loaded(self) -> tuple[str, dict[str, "TensileStrength"]]:
@@ -64,6 +67,11 @@ class Job:
     def resolved(self) -> str:
         """The resolved scene as TOML: all that its run needs. Raises SceneError."""
         return self._loaded[0]
+
+    @property
+    def task(self) -> str | ModesTask:
+        """Task of a worker. Raises SceneError."""
+        return ModesTask(self.resolved, self.modes) if self.modes else self.resolved
 
     @property
     def tensile_strengths(self) -> dict[str, "TensileStrength"]:
@@ -82,6 +90,7 @@ class Job:
         digest.update(other_sources(self.resolved).encode())
         digest.update(file_of_blocks(self.resolved))
         digest.update(files_of_records(self.resolved))
+        digest.update(f"{self.modes} modes".encode() if self.modes else b"")
         return digest.hexdigest()[:20]
 
     def key(self) -> str:

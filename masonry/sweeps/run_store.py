@@ -13,7 +13,7 @@ from masonry.results.summary import read_summary
 from masonry.runtime.folder import sweep_up, writing
 from masonry.runtime.folders.own_files import RUNS
 from masonry.runtime.text_files import json_of
-from masonry.sweeps.work import OK, STATUSES, RunEnd
+from masonry.sweeps.work import MODES, OK, SHAPES, STATUSES, RunEnd
 
 Row = dict[str, Any]
 FAILURE = "failure.json"
@@ -39,6 +39,8 @@ class Store:
         folder = self.runs / key
         try:
             failure = _failure(folder / FAILURE)
+            if failure is None and (folder / MODES).is_file():
+                return _of_modes(key, folder)
             numbers = read_summary(folder / "summary.json") if (folder / "summary.json").is_file() else None
         except (OSError, SceneError):
             return None
@@ -70,6 +72,26 @@ class Store:
         row = self.row(key)
         assert row is not None
         return row
+
+
+def _of_modes(key: str, folder: Path) -> Row | None:
+    """The row of a modal analysis: the frequencies of its modes by their numbers from 1; None where it is not whole."""
+    content = json_of(folder / MODES)
+    modes = content.get("modes") if isinstance(content, dict) else None
+    if not isinstance(modes, list) or not (folder / SHAPES).is_file():
+        return None
+    return {
+        "key": key,
+        **{"status": OK, "reason": "", "seconds": content.get("seconds")},
+        **{"verdict": None, "doubts": None, "warnings": None},
+        "seconds_processor_run": content.get("seconds_processor_run"),
+        **{frequency_key(number): mode["frequency_hz"] for number, mode in enumerate(modes, start=1)},
+    }
+
+
+def frequency_key(number: int) -> str:
+    """Key of the frequency of a mode in the row of a modal analysis, from 1 on."""
+    return f"modes.{number}.frequency_hz"
 
 
 def _take_place(whole: Path, place: Path) -> None:

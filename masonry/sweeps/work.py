@@ -1,17 +1,29 @@
-"""Task of a worker: one resolved scene is run to its end, and whatever happens becomes a status with a reason."""
+"""Task of a worker: one resolved scene is run to its end, or its modes computed, and whatever happens becomes a status
+with a reason."""
 
+import json
 import time
 import traceback
 from dataclasses import dataclass, field
+from io import BytesIO
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, NamedTuple
 
 from geometry.blocks import GeometryError
 from masonry.errors import SceneError, Stopped
 
 OK, REFUSED, STOPPED, ERROR = "OK", "REFUSED", "STOPPED", "ERROR"
 STATUSES = (OK, REFUSED, STOPPED, ERROR)
+MODES, SHAPES = "modes.json", "shapes.npy"
+"""Files of a modal analysis: its numbers, and how the corners of the blocks move in each mode."""
+
+
+class ModesTask(NamedTuple):
+    """A resolved scene as TOML and the number of its slowest modes that are computed in place of a run."""
+
+    toml: str
+    modes: int
 
 
 @dataclass(frozen=True)
@@ -29,15 +41,18 @@ class RunEnd:
     files: dict[str, bytes] = field(default_factory=dict)
 
 
-def compute(toml: str) -> RunEnd:
-    """Run a resolved scene; raises nothing but KeyboardInterrupt. It may be far from the scene's file."""
+def compute(task: str | ModesTask) -> RunEnd:
+    """Run a resolved scene, or compute its modes; raises nothing but KeyboardInterrupt. It may be far from the scene's
+    file."""
     begun = time.perf_counter()
 
     def ended(status: str, error: BaseException | str, files: dict[str, bytes] | None = None) -> RunEnd:
         return RunEnd(status, str(error), time.perf_counter() - begun, files or {})
 
     try:
-        result = _run(toml)
+        if isinstance(task, ModesTask):
+            return ended(OK, "", _modes(task))
+        result = _run(task)
         if result.summary.interrupted:  # by Ctrl-C, where it runs in the user's own process
             raise KeyboardInterrupt
         return ended(OK, "", _files(result, begun))
@@ -53,14 +68,32 @@ def compute(toml: str) -> RunEnd:
 
 
 def _run(toml: str) -> Any:
-    from masonry import scene
     from masonry.laboratory import laboratory
+
+    return laboratory.run(_loaded(toml))
+
+
+def _modes(task: ModesTask) -> dict[str, bytes]:
+    import numpy as np
+
+    from masonry.modal_analysis.vibration import ModesSettings, analyse
+
+    begun, start = time.process_time(), time.perf_counter()
+    modes = analyse(_loaded(task.toml), ModesSettings(task.modes))
+    taken = {"seconds": time.perf_counter() - start, "seconds_processor_run": time.process_time() - begun}
+    shapes = BytesIO()
+    np.save(shapes, modes.corners)
+    text = json.dumps(modes.as_data() | taken, indent=1, allow_nan=False) + "\n"
+    return {MODES: text.encode(), SHAPES: shapes.getvalue(), "scene.toml": task.toml.encode()}
+
+
+def _loaded(toml: str) -> Any:
+    from masonry import scene
 
     with TemporaryDirectory(prefix="masonry-") as folder:
         path = Path(folder) / "scene.toml"
         path.write_text(toml, encoding="utf-8", newline="\n")
-        loaded = scene.load(path)
-    return laboratory.run(loaded)
+        return scene.load(path)
 
 
 def _files(result: Any, begun: float) -> dict[str, bytes]:

@@ -9,7 +9,7 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.sweeps.convergence.answers import ANSWERS, answers_of
-from masonry.sweeps.convergence.campaign import Refinement
+from masonry.sweeps.convergence.campaign import Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import _coarser
 from masonry.sweeps.convergence.convergence import converge
 from masonry.sweeps.convergence.numerical_errors import error_of
@@ -95,8 +95,8 @@ def test_a_gauge_that_nothing_moves_has_no_error(tipped):
 
 
 def test_a_pace_that_cannot_be_coarser_is_left_as_it_is(tmp_path):
-    scene = load("couplet", {"drive.accuracy": 0.2})
-    assert _coarser([], scene, 0.2).get("drive.accuracy") is None
+    campaign = Campaign(load("couplet", {"drive.accuracy": 0.2}))
+    assert _coarser([], campaign, 0.2).get("drive.accuracy") is None
 
 
 def test_settings_of_an_earlier_search_do_not_stay_beside_a_new_table(tipped):

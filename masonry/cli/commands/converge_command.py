@@ -7,7 +7,7 @@ is did not come to its end; 130 interrupted, 143 terminated: what is done stays,
 from typing import TYPE_CHECKING
 
 from masonry.cli.study_words import add_folder, add_scene, require_workers, unless_interrupted
-from masonry.errors import visible
+from masonry.errors import SceneError, visible
 from masonry.runtime.shell import OK, STOPPED, Parser, tell
 from masonry.runtime.tables import columns
 
@@ -28,6 +28,9 @@ def parser() -> Parser:
     add_scene(words)
     words.add_argument("--of", metavar="NUMBERS", help="numbers of summary.json, with commas (default: the usual ones)")
     words.add_argument(
+        "--modes", type=int, metavar="N", help="the frequencies of N modes, in place of numbers of a run"
+    )
+    words.add_argument(
         "--to", metavar="SHARE", help='such as "1 %%": choose settings whose error is smaller, and write converged.toml'
     )
     words.add_argument(
@@ -42,15 +45,19 @@ def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     words = parser().parse_args(arguments)
     require_workers(words)
+    if words.of is not None and words.modes is not None:
+        raise SceneError("--of names numbers, and --modes the frequencies of so many modes: leave one of them out")
     numbers = [key.strip() for key in words.of.split(",")] if words.of is not None else []
 
     from masonry import scene
+    from masonry.sweeps.convergence.analyses import frequency_keys
     from masonry.sweeps.convergence.convergence import converge, require_words
 
     loaded = scene.load(words.scene, words.overrides)
+    numbers = numbers if words.modes is None else frequency_keys(words.modes)
     require_words(loaded, numbers, words.to, words.cost)
     if words.list:
-        print(_listing(loaded, words.cost))
+        print(_listing(loaded, words.cost, numbers))
         return OK
     heard = None if words.quiet else tell
     result, code = unless_interrupted(
@@ -77,12 +84,13 @@ def main(arguments: list[str] | None = None) -> int:
     return OK
 
 
-def _listing(loaded: "Scene", cost: float | None) -> str:
+def _listing(loaded: "Scene", cost: float | None, numbers: list[str]) -> str:
+    from masonry.sweeps.convergence.analyses import analysis_of
     from masonry.sweeps.convergence.campaign import Campaign
     from masonry.sweeps.convergence.convergence_table import settings_words
 
     rows = [
         (trial.label, settings_words(trial) or "-", f"{trial.cost:.2g} times the scene")
-        for trial in Campaign(loaded, cost).first()
+        for trial in Campaign(loaded, cost, analysis_of(numbers)).first()
     ]
     return "\n".join(map(visible, columns(rows)))

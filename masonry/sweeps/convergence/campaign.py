@@ -7,20 +7,11 @@ from typing import Any
 import numpy as np
 
 from geometry.blocks import Blocks, GeometryError, Joints
-from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError
-from masonry.laboratory.cost import forecast
 from masonry.scene import Scene, changed
+from masonry.sweeps.convergence.analyses import RUN, RefinedAnalysis
 from masonry.sweeps.convergence.extrapolation import FLAT
-from masonry.sweeps.convergence.resolutions import (
-    ALL_EDGES,
-    ALONG,
-    JITTER,
-    ONE_AXIS,
-    Resolution,
-    jitter,
-    resolutions_of,
-)
+from masonry.sweeps.convergence.resolutions import ALL_EDGES, ALONG, ONE_AXIS, Resolution
 
 BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
 MATTERS = 0.1
@@ -61,18 +52,16 @@ class Refinement:
 class Campaign:
     """The runs of a scene, planned in rounds."""
 
-    def __init__(self, scene: Scene, cost: float | None = None) -> None:
+    def __init__(self, scene: Scene, cost: float | None = None, analysis: RefinedAnalysis = RUN) -> None:
         """The cost is how many times the scene itself all other runs may take together."""
-        self.scene = scene
-        assembly = assemble(scene)
-        self.seconds = forecast(assembly).seconds[0]
-        self.contacts = len(assembly.model.group)
-        self.limit = cost if cost is not None else COST_OF_TETS if assembly.mesh is not None else COST
-        self.y_is_idle = not scene.acts_along_y and _is_plane(assembly.specimen.blocks)
-        along = ALL_EDGES if _have_other_shapes(assembly.joints) else ONE_AXIS
+        self.scene, self.analysis = scene, analysis
+        self.size = size = analysis.size(scene)
+        self.limit = cost if cost is not None else COST_OF_TETS if size.has_tets else COST
+        self.y_is_idle = not analysis.acts_along_y(scene) and _is_plane(size.blocks)
+        along = ALL_EDGES if _have_other_shapes(size.joints) else ONE_AXIS
         self.resolutions = [
             resolution
-            for resolution in resolutions_of(scene)
+            for resolution in analysis.resolutions(scene)
             if (not resolution.name.startswith(ALONG) or resolution.name in along)
             and self.trial(resolution, resolution.factors[0]) is not None
         ]
@@ -81,8 +70,9 @@ class Campaign:
         """The scene as it is, a run that differs in nothing of meaning, and each resolution alone: the cheapest of its
         runs in any case, others as far as the cost reaches."""
         base = Refinement(BASE, 1.0, {})
-        trials = [base, Refinement(SCATTER, 1.0, jitter(self.scene, JITTER))]
-        spent, others = trials[-1].cost, []
+        again = Refinement(SCATTER, 1.0, self.analysis.jitter(self.scene, finer=True))
+        trials = [base, again] if self.analysis.scatters else [base]
+        spent, others = float(self.analysis.scatters), []
         for resolution in self.resolutions:
             alone = [self.trial(resolution, factor) for factor in self._first_factors(resolution)]
             first, *dearer = sorted((trial for trial in alone if trial is not None), key=lambda trial: trial.cost)
@@ -97,12 +87,12 @@ class Campaign:
 
     def _first_factors(self, resolution: Resolution) -> Sequence[float]:
         """A coarser one stands on the other side of the scene's, so that both tell the order at once."""
-        return resolution.factors if resolution.factors[0] < 1.0 else resolution.factors[:1]
+        return resolution.factors[:2] if resolution.factors[0] < 1.0 else resolution.factors[:1]
 
     def second(
         self, done: Sequence[Refinement], changes: Mapping[str, float], scatter: float, spent: float
     ) -> list[Refinement]:
-        """The runs that tell most for the rest of the cost: all together, the largest once more, or scatter.
+        """The runs that tell most for the rest of the cost: all together, what matters once more, or scatter.
 
         changes  by name of a resolution, the largest relative change of an answer
         scatter  the same of the run that differs in nothing
@@ -111,16 +101,17 @@ class Campaign:
         largest = max(changes.values(), default=0.0)
         remaining = self.limit - spent
         if largest <= FLAT * scatter:
-            again = replace(done[0], name=SCATTER, settings=jitter(self.scene, 1.0 / JITTER))
+            again = replace(done[0], name=SCATTER, settings=self.analysis.jitter(self.scene, finer=False))
             return self._within([*self._of_edges(done), again if scatter > 0.0 else None], remaining)
         finer = {r.name: r for r in self.resolutions if any(t.name == r.name and t.factor > 1.0 for t in done)}
         matter = [name for name in finer if changes.get(name, 0.0) > MATTERS * largest]
         trials = []
         if len(matter) > 1:
             trials.append(self._of_all([finer[name] for name in matter]))
-        name = max(finer, key=lambda name: changes.get(name, 0.0), default=None)
-        if name is not None and len(finer[name].factors) > 1 and finer[name].factors[0] > 1.0:
-            trials.append(self.trial(finer[name], finer[name].factors[1]))
+        for name in sorted(matter, key=lambda name: -changes[name]):
+            finest = max(t.factor for t in done if t.name == name)
+            factor = next((factor for factor in finer[name].factors if factor > finest), None)
+            trials += [] if factor is None else [self.trial(finer[name], factor)]
         return self._within(trials, remaining)
 
     def _of_edges(self, done: Sequence[Refinement]) -> list[Refinement | None]:
@@ -161,14 +152,13 @@ class Campaign:
     def _costed(self, trial: Refinement) -> Refinement | None:
         """With what it costs; None where the scene does not take it, or it changes nothing."""
         try:
-            assembly = assemble(changed(self.scene, trial.settings))
+            size = self.analysis.size(changed(self.scene, trial.settings))
         except (SceneError, GeometryError):
             return None
         is_of_points = "point" in trial.name
-        if is_of_points and len(assembly.model.group) == self.contacts and not self.scene.is_large:
+        if is_of_points and size.contacts == self.size.contacts and not self.scene.is_large:
             return None
-        cost = forecast(assembly).seconds[0] / self.seconds
-        return replace(trial, cost=cost)
+        return replace(trial, cost=size.seconds / self.size.seconds)
 
 
 def _is_plane(blocks: Blocks) -> bool:

@@ -50,7 +50,8 @@ class ChosenSettings:
         request = f"{100 * self.to:g} % were asked for"
         if self.error > self.to:
             request += ", and not reached: what is left is scatter, or converges too slowly"
-        return f"{what} has its numbers within {100 * self.error:.2g} % ({request}){took}; its run is {self.verdict}."
+        judged = f"; its run is {self.verdict}" if self.verdict else ""
+        return f"{what} has its numbers within {100 * self.error:.2g} % ({request}){took}{judged}."
 
     def as_toml(self, scene: str) -> str:
         """A scene file that stands beside that of the scene as it is."""
@@ -79,12 +80,16 @@ def fraction(text: Any) -> float:
 
 
 def choose(
-    scene: Scene, errors: list[NumericalError], to: float, measure: Callable[[Scene], Measured]
+    scene: Scene,
+    errors: list[NumericalError],
+    to: float,
+    measure: Callable[[Scene], Measured],
+    plan: Callable[[Scene], Campaign] = Campaign,
 ) -> ChosenSettings:
     """Refine what makes up the errors of a scene until none is larger than asked for, then make coarser what makes up
     next to nothing of them.
 
-    measure  errors and runs of another scene
+    measure  errors and runs of another scene        plan  its runs
     """
     settings: dict[str, Any] = {}
     reasons: dict[str, str] = {}
@@ -94,12 +99,12 @@ def choose(
         errors, runs = measure(now)
         seconds = runs[0][1]["seconds_processor_run"]
         first = first or seconds
-        finer = {} if largest(errors) <= to else _refined(errors, now, to)
+        finer = {} if largest(errors) <= to else _refined(errors, plan(now), to)
         if not finer:
             break
         reasons |= dict.fromkeys(finer, f"finer: numbers within {100 * largest(errors):.2g} % before")
         settings = merged(settings, finer)
-    coarser = _coarser(errors, changed(scene, settings), to) if largest(errors) <= to else {}
+    coarser = _coarser(errors, plan(changed(scene, settings)), to) if largest(errors) <= to else {}
     if coarser:
         fewer, runs = measure(changed(scene, merged(settings, coarser)))
         if largest(fewer) <= to and fewer and runs[0][1]["seconds_processor_run"] < seconds:
@@ -109,7 +114,9 @@ def choose(
 
 
 def _judged(row: Row) -> str:
-    """The verdict of a run, and its doubts where it has some."""
+    """The verdict of a run, and its doubts where it has some; "" where a verdict is not asked for."""
+    if row["verdict"] is None:
+        return ""
     return f"{row['verdict']} ({row['doubts']})" if row["doubts"] else str(row["verdict"])
 
 
@@ -118,9 +125,8 @@ def largest(errors: Sequence[NumericalError]) -> float:
     return max((error.at_most / abs(error.value) for error in errors if error.value), default=0.0)
 
 
-def _refined(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[str, Any]:
+def _refined(errors: Sequence[NumericalError], campaign: Campaign, to: float) -> dict[str, Any]:
     """Settings that make finer what makes up most of the errors; empty where nothing does."""
-    campaign = Campaign(scene)
     resolutions = campaign.resolutions
     parts = {resolution.name: _part(errors, resolution.name) for resolution in resolutions}
     counts = min(COUNTS * to, 0.5 * max(parts.values(), default=0.0))
@@ -129,7 +135,7 @@ def _refined(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[
         if parts[resolution.name] > counts:
             finer = campaign.trial(resolution, next(factor for factor in resolution.factors if factor > 1.0))
             settings = merged(settings, finer.settings if finer is not None else {})
-    return settings | _narrower(scene, to)
+    return settings | _narrower(campaign.scene, to)
 
 
 def _narrower(scene: Scene, to: float) -> dict[str, Any]:
@@ -139,10 +145,9 @@ def _narrower(scene: Scene, to: float) -> dict[str, Any]:
     return {"limit.accuracy": max(COUNTS * to, FINEST_ACCURACY)} if is_wide else {}
 
 
-def _coarser(errors: Sequence[NumericalError], scene: Scene, to: float) -> dict[str, Any]:
+def _coarser(errors: Sequence[NumericalError], campaign: Campaign, to: float) -> dict[str, Any]:
     """Settings that make coarser by two what makes up next to nothing of the errors."""
     settings: dict[str, Any] = {}
-    campaign = Campaign(scene)
     for resolution in campaign.resolutions:
         fewer = campaign.trial(resolution, 0.5) if _part(errors, resolution.name) <= IDLE * to else None
         settings |= fewer.settings if fewer is not None else {}

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import inf
 from pathlib import Path
 
@@ -15,13 +16,12 @@ from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene
 from masonry.sweeps.convergence import chosen_settings, convergence_table
-from masonry.sweeps.convergence.answers import answers_of, with_derived
+from masonry.sweeps.convergence.analyses import RUN, analysis_of
 from masonry.sweeps.convergence.campaign import Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
 from masonry.sweeps.convergence.resolutions import not_refined
 from masonry.sweeps.engine import run_alone
-from masonry.sweeps.job import Job
 from masonry.sweeps.measured_number import require_number
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.study_folder import SCENE, begin
@@ -82,7 +82,8 @@ def converge(
     """Refine what a scene says of its resolution, in processes side by side, and tell the error of its numbers.
 
     out      folder, else the next free results/SCENE-convergence-N; what is done of this scene there is kept
-    of       numbers of summary.json by dotted name; peak, displacement there, load factor and so on where none is named
+    of       numbers of summary.json by dotted name, or frequencies of modes (`frequency_keys`), which need no run;
+             peak, displacement there, load factor and so on where none is named
     to       an error, "1 %" or 0.01: settings are chosen by which no number has a larger one, see `ChosenSettings`
     cost     times the scene itself that all other runs may take (default 6, with tets 8)
     workers  processes (default: all processors; 0: one run after the other in this one)
@@ -93,9 +94,10 @@ def converge(
     require_format(form)
     if workers is not None and workers < 0:
         raise SceneError(f"{workers} workers: 0 (all in this process) or more")
-    largest = require_words(scene, of, to, cost)
-    require_axles_to_load(scene)
-    campaign = Campaign(scene, cost)
+    largest, analysis = require_words(scene, of, to, cost), analysis_of(of)
+    if analysis is RUN:
+        require_axles_to_load(scene)
+    campaign = Campaign(scene, cost, analysis)
     if not campaign.resolutions:
         raise SceneError(f"'{scene.name}' has nothing that could be refined: its answer has no error of resolution")
     folder = begin(scene, PICTURE, TABLE, DOING, None if out is None else Path(out), overwrite)
@@ -106,18 +108,20 @@ def converge(
         errors, done = runner.measured(campaign)
         chosen = None
         if largest is not None and errors:
-            chosen = chosen_settings.choose(scene, errors, largest, lambda other: runner.measured(Campaign(other)))
+            plan = partial(Campaign, analysis=analysis)
+            chosen = chosen_settings.choose(scene, errors, largest, lambda other: runner.measured(plan(other)), plan)
         result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
         _write(scene, result, form)
     return result
 
 
 def require_words(scene: Scene, of: Sequence[str], to: str | float | None, cost: float | None) -> float | None:
-    """The error asked for, if any; raises SceneError for a number that no run has, and what is out of range."""
+    """The error asked for, if any; raises SceneError for a number that there is not, and what is out of range."""
     if cost is not None and not 1.0 <= cost < inf:
         raise SceneError(f"cost {cost:g}: times the scene itself that all other runs may take, 1 or more")
-    for number in of:
-        require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
+    if analysis_of(of) is RUN:
+        for number in of:
+            require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
     return None if to is None else chosen_settings.fraction(to)
 
 
@@ -134,21 +138,25 @@ class Runner:
         """The error of each number of a scene, and its runs in two rounds: each resolution alone, then what these say
         matters."""
         first = campaign.first()
-        done = self._round(campaign.scene, first)
+        done = self._round(campaign, first)
         base, gauges = done[0][1], [gauge.name for gauge in campaign.scene.gauge]
         if base["status"] != OK:
             return [], done
-        answers = answers_of(base, gauges, self.of)
+        answers = campaign.analysis.answers(base, gauges, self.of)
         changes, scatter = relative_changes(done, answers)
         spent = sum(row["seconds_processor_run"] for _, row in done[1:] if row["status"] == OK)
         cost = spent / max(base["seconds_processor_run"], SHORTEST)
-        done += self._round(campaign.scene, campaign.second(first, changes, scatter, cost))
+        done += self._round(campaign, campaign.second(first, changes, scatter, cost), base)
         return [error for answer in answers if (error := error_of(answer, done)) is not None], done
 
-    def _round(self, scene: Scene, trials: Sequence[Refinement]) -> list[tuple[Refinement, Row]]:
-        jobs = [Job(scene, trial.settings, trial.label) for trial in trials]
+    def _round(
+        self, campaign: Campaign, trials: Sequence[Refinement], base: Row | None = None
+    ) -> list[tuple[Refinement, Row]]:
+        """base: the row of the scene as it is; the first of this round where there is none yet"""
+        jobs = [campaign.analysis.job(campaign.scene, trial.settings, trial.label) for trial in trials]
         rows = run_alone(jobs, self.folder, self.workers, self.tell) if jobs else []
-        return [(trial, with_derived(row, self.folder)) for trial, row in zip(trials, rows, strict=True)]
+        rows = campaign.analysis.measured(rows, base or rows[0], self.folder) if rows else []
+        return list(zip(trials, rows, strict=True))
 
 
 def _write(scene: Scene, result: Convergence, form: str) -> None:

@@ -138,7 +138,7 @@ def _run_lines(runs: Ended) -> list[str]:
     lines = [["run", "sets", "verdict", "time"]]
     for trial, row in runs:
         seconds = row.get("seconds_processor_run")
-        verdict = row["verdict"] if row["status"] == OK else row["status"].lower()
+        verdict = (row["verdict"] or "-") if row["status"] == OK else row["status"].lower()
         took = duration(seconds) if isinstance(seconds, float) else "-"
         lines.append([trial.label, settings_words(trial) or "-", visible(f"{verdict}"), took])
     return columns(lines)

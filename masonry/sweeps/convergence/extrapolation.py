@@ -15,6 +15,7 @@ USUAL_ORDERS = (1.0, 2.0)
 LOWEST_ORDER, HIGHEST_ORDER = 0.5, 2.0
 """Orders of convergence: those of what the program does, and between which an observed one is believed."""
 ROUNDING = 1e-9
+"""Relative difference of what is the same."""
 OF_THREE = 1.25
 """Times the remainder behind three values that their bar reaches to both sides, after Roache."""
 OF_TWO = 2.5
@@ -40,7 +41,8 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
     values   factor of refinement and value, that of the scene (factor 1) among them; at least two. Three have an order
              where they stand at equal ratios; otherwise the two finest count
     scatter  by which runs differ that differ in nothing
-    Differences that are no larger than FLAT times the scatter change nothing.
+    Differences that are no larger than FLAT times the scatter change nothing; a last one that is but rounding has come
+    to its end.
     """
     ladder = sorted(values)
     scene = next(value for factor, value in ladder if factor == 1.0)
@@ -52,6 +54,8 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
     if len(ladder) == 2 or not isclose(ratio, ladder[-2][0] / ladder[-3][0]):
         return _of_two(differences[-1], ratio, so_far)
     before, last = differences[-2:]
+    if abs(last) <= ROUNDING * abs(ladder[-1][1]):
+        return Estimate(so_far, abs(last))
     if before * last > 0.0 and abs(before) > abs(last):
         order = log(before / last) / log(ratio)
         remains = [_remainder(last, ratio, p) for p in (_believed(order), *USUAL_ORDERS)]

@@ -15,10 +15,10 @@ ALONG = "points along "
 ONE_AXIS, ALL_EDGES = tuple(f"{ALONG}{axis}" for axis in "xyz"), (f"{ALONG}all edges",)
 """Names of what refines points along the edges of joints: by axis, or of joints that are no parallelograms all at once,
 as the fewest along any two axes count in these."""
-DOUBLED, FROM_EDGES, MESH = (2.0, 4.0), (4.0, 8.0), (1.0 / 1.5, 1.5)
+DOUBLED, FROM_EDGES, MESH = (2.0, 4.0), (4.0, 8.0), (1.0 / 1.5, 1.5, 2.25)
 """Factors of refinement that are tried one after the other. Half the size of tets costs ten to sixteen times as much,
-so that a coarser mesh stands on the other side of the scene's. Two and four points from edge to edge bear alike where
-blocks turn about their edges, and tell nothing."""
+so that a coarser mesh stands on the other side of the scene's, and the finest is for those who allow its cost. Two and
+four points from edge to edge bear alike where blocks turn about their edges, and tell nothing."""
 FEW_AT_EDGES = 4
 """Points from edge to edge, below which they are made FROM_EDGES as many."""
 
@@ -42,8 +42,13 @@ class Resolution:
 
 
 def resolutions_of(scene: Scene) -> list[Resolution]:
-    """All that a scene has, the cheapest to refine first."""
+    """All that a run of a scene has, the cheapest to refine first."""
     return [*_of_time(scene), *_of_points(scene), *_of_patches(scene), *_of_mesh(scene)]
+
+
+def of_space(scene: Scene) -> list[Resolution]:
+    """Those that need no run: points of joints and tets."""
+    return [*_of_points(scene), *_of_mesh(scene)]
 
 
 def jitter(scene: Scene, factor: float) -> dict[str, Any]:
