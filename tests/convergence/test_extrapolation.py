@@ -20,7 +20,7 @@ def test_a_series_of_one_order_is_summed_exactly(order, factors):
 
 
 @pytest.mark.parametrize("order", [0.5, 0.8, 1.0, 1.5, 2.0, 3.0])
-@pytest.mark.parametrize("factors", [(1.0, 2.0), (1.0, 1.5)])
+@pytest.mark.parametrize("factors", [(1.0, 2.0), (1.0, 1.5), (1.0, 4.0)])
 def test_two_values_hold_the_limit_of_all_usual_orders(order, factors):
     estimate = extrapolated(ladder(order, factors))
     assert estimate.order is None
@@ -33,6 +33,14 @@ def test_two_orders_at_once_lie_within_the_bar_of_three_values(seed):
     values = [(k, 2.0 + first / k + second / k**2) for k in (1.0, 2.0, 4.0)]
     estimate = extrapolated(values)
     assert abs(estimate.change + first + second) <= estimate.half_width < 0.75 * (first + second)
+
+
+def test_three_values_at_unequal_ratios_go_on_from_the_two_finest():
+    """What lies before them may be of another kind: here it is the same as the next."""
+    values = [(1.0, 5.0), *ladder(1.0, (4.0, 8.0), 4.0, 4.0)]
+    estimate = extrapolated(values)
+    assert estimate.order is None
+    assert abs(estimate.change + 1.0) <= estimate.half_width < 1.5
 
 
 def test_values_that_swing_have_no_order_and_a_bar_of_their_range():

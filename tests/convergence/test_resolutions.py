@@ -90,6 +90,20 @@ def test_rounds_after_the_first_cost_no_more_than_is_left():
     assert campaign.second(campaign.first(), changes, 0.0, 5.9) == []
 
 
+def test_few_points_from_edge_to_edge_are_made_four_times_as_many_and_again_where_nothing_moves():
+    """Two and four of them bear alike where a block turns about its edge."""
+    campaign = Campaign(load(TIPPED, {"specimen.contact_points": "vertex", "specimen.points_per_edge": 2}), 20.0)
+    (along,) = [trial for trial in campaign.first() if trial.name == "points along x"]
+    assert along.settings["specimen.points_per_edge"]["x"] == along.at_edges == 8
+    (again,) = campaign.second(campaign.first(), {}, 0.0, 3.0)
+    assert (again.name, again.at_edges) == ("points along x", 16)
+    finer = Campaign(load(TIPPED, {"specimen.contact_points": "vertex", "specimen.points_per_edge": 5})).first()
+    assert [trial.at_edges for trial in finer if trial.name == "points along x"] == [10]
+    inside = Campaign(load(TIPPED, {"specimen.points_per_edge": 2})).first()
+    assert [trial.factor for trial in inside if trial.name == "points along x"] == [2.0]
+    assert all(trial.at_edges is None for trial in inside)
+
+
 def test_all_together_have_the_most_points_of_each():
     first = {"specimen.points_per_edge": {"x": 6, "y": 3, "z": 3}, "drive.accuracy": 0.005}
     second = {"specimen.points_per_edge": {"x": 3, "y": 3, "z": 6}}

@@ -155,5 +155,6 @@ def _coarser(errors: Sequence[NumericalError], campaign: Campaign, to: float) ->
 
 
 def _part(errors: Sequence[NumericalError], name: str) -> float:
-    """The largest relative part of a resolution in any of the errors."""
-    return max((abs(error.parts.get(name, 0.0) / error.value) for error in errors if error.value), default=0.0)
+    """The largest relative part of a resolution in any of the errors, what it may not have seen among it."""
+    parts = [(error, max(abs(error.parts.get(name, 0.0)), error.unseen.get(name, 0.0))) for error in errors]
+    return max((part / abs(error.value) for error, part in parts if error.value), default=0.0)

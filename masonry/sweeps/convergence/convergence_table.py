@@ -118,6 +118,9 @@ def advice(errors: Sequence[NumericalError], runs: Ended) -> list[str]:
             said.append(
                 f"Most of the bar is the interval {where if error.answer.key == BORNE else 'between two steps'}."
             )
+        elif max(error.unseen.values(), default=0.0) > 0.5 * error.half_width:
+            name = max(error.unseen, key=lambda name: error.unseen[name])
+            said.append(f"Most of the bar is {name}: as yet the outermost row of joints that turn bears alone.")
         elif error.scatter > 0.5 * error.half_width:
             said.append("Most of the bar is scatter: runs that differ in nothing of meaning differ by as much.")
     return said

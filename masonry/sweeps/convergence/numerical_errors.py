@@ -24,6 +24,7 @@ class NumericalError:
     parts    by name of a resolution, value of the scene less the value without end of this resolution alone
     scatter  half-width of what runs differ by that differ in nothing; part of the bar
     interval half-width of the interval of a load factor, or of a peak between steps; part of the scatter
+    unseen   by name of a resolution, what points from edge to edge may not have seen (`edge_points.py`)
     """
 
     answer: Answer
@@ -34,6 +35,7 @@ class NumericalError:
     parts: dict[str, float]
     scatter: float
     interval: float
+    unseen: dict[str, float]
 
     @property
     def error(self) -> float:
@@ -64,23 +66,20 @@ def error_of_values(
     base, middle = values[0][1], [(trial, _middle(value)) for trial, value in values]
     again = [number - _middle(base) for trial, number in middle if trial.name == SCATTER]
     scatter = hypot(max(map(abs, again), default=0.0), base.interval)
-    parts = {
-        name: _seen(part, unresolved.get(name, 0.0) * abs(base.number))
-        for name, part in _parts(middle, scatter).items()
-    }
+    unseen = {name: part * abs(base.number) for name, part in unresolved.items()}
+    parts = {name: _with_unseen(part, unseen.get(name, 0.0)) for name, part in _parts(middle, scatter).items()}
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
     scattered = hypot(scatter_bar([*again, *flat]), base.interval)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
-    parts_of_error = {name: -part.change for name, part in parts.items()}
-    return NumericalError(
-        answer, base.number, limit, estimate.half_width, estimate.order, parts_of_error, scattered, base.interval
-    )
+    by_part = {name: -part.change for name, part in parts.items()}
+    bar, order = estimate.half_width, estimate.order
+    return NumericalError(answer, base.number, limit, bar, order, by_part, scattered, base.interval, unseen)
 
 
-def _seen(part: Estimate, unseen: float) -> Estimate:
+def _with_unseen(part: Estimate, unseen: float) -> Estimate:
     return part._replace(half_width=max(part.half_width, unseen))
 
 

@@ -17,48 +17,46 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from masonry.assembly.assemble import assemble
 from masonry.errors import SceneError, nearest
-from masonry.laboratory.cost import forecast
 from masonry.runtime.folders.own_files import RUNS
 from masonry.runtime.tables import columns
 from masonry.scene import Scene, changed
-from masonry.sweeps.convergence.answers import value_of, with_derived
+from masonry.sweeps.convergence.analyses import RefinedAnalysis, analysis_of
+from masonry.sweeps.convergence.answers import value_of
 from masonry.sweeps.convergence.campaign import TOGETHER, Campaign, merged
 from masonry.sweeps.convergence.convergence import Convergence, converge
 from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.engine import run_alone
-from masonry.sweeps.job import Job
 from masonry.sweeps.work import OK
 from verification.studies.error_bars.compared import VISIBLE, Compared, append, compared_of, lines_of
 from verification.studies.error_bars.indicators import indicators_of
-from verification.studies.error_bars.random_scenes import KINDS, scene_of
+from verification.studies.error_bars.random_scenes import KINDS, OF, scene_of
 
 BEYOND = 4.0
 """Times as fine as the finest run of the bar is what counts as truth; of tets the square root."""
-SLOWEST = 15.0
+SLOWEST = 5.0
 """Seconds that a truth is forecast to take, beyond which what moved nothing is left as fine as it was made."""
 NOTHING = 1e-6
 """Relative change that is none."""
 
 
-def truth_settings(scene: Scene, result: Convergence) -> dict[str, Any]:
+def truth_settings(scene: Scene, result: Convergence, analysis: RefinedAnalysis) -> dict[str, Any]:
     """Settings of the truth: BEYOND as fine as the finest run of each, and the interval of a load factor as much
     narrower."""
-    everything = _settings(scene, result, {trial.name for trial, _ in result.runs})
-    if forecast(assemble(changed(scene, everything))).seconds[0] <= SLOWEST:
+    everything = _settings(scene, result, analysis, {trial.name for trial, _ in result.runs})
+    if analysis.size(changed(scene, everything)).seconds <= SLOWEST:
         return everything
     moved = {
         name for error in result.errors for name, part in error.parts.items() if abs(part) > NOTHING * abs(error.value)
     }
-    return _settings(scene, result, moved)
+    return _settings(scene, result, analysis, moved)
 
 
-def _settings(scene: Scene, result: Convergence, refined: Collection[str]) -> dict[str, Any]:
+def _settings(scene: Scene, result: Convergence, analysis: RefinedAnalysis, refined: Collection[str]) -> dict[str, Any]:
     finest = {trial.name: trial.factor for trial, _ in result.runs if trial.name != TOGETHER and trial.factor > 1.0}
     accuracy = None if scene.limit is None else scene.limit.accuracy
     settings: dict[str, Any] = {"limit.accuracy": accuracy / BEYOND} if isinstance(accuracy, float) else {}
-    for resolution in Campaign(scene).resolutions:
+    for resolution in Campaign(scene, analysis=analysis).resolutions:
         factor = finest.get(resolution.name, 1.0)
         if resolution.name in refined:
             factor *= BEYOND if resolution.factors[0] > 1.0 else BEYOND**0.5
@@ -71,17 +69,18 @@ def _settings(scene: Scene, result: Convergence, refined: Collection[str]) -> di
 
 def compare(kind: str, seed: int, folder: Path) -> Iterator[Compared]:
     """Each number of a scene, and its truth."""
-    scene = scene_of(kind, seed)
-    result = converge(scene, folder, workers=0)
+    scene, of = scene_of(kind, seed), OF.get(kind, [])
+    analysis = analysis_of(of)
+    result = converge(scene, folder, of, workers=0)
     base = result.runs[0][1]
     if not result.has_come_to_its_end:
         raise SceneError(base["reason"])
-    settings = truth_settings(scene, result)
-    (row,) = run_alone([Job(scene, settings)], folder, 0)
+    settings = truth_settings(scene, result, analysis)
+    (row,) = run_alone([analysis.job(scene, settings, "truth")], folder, 0)
     if row["status"] != OK:
         raise SceneError(f"its truth: {row['reason']}")
-    truth, indicators = with_derived(row, folder), indicators_of(folder / RUNS / base["key"])
-    blind = unresolved(result.runs)
+    (truth,), blind = analysis.measured([row], base, folder), unresolved(result.runs)
+    indicators = () if kind in OF else indicators_of(folder / RUNS / base["key"])
     seconds = [row["seconds_processor_run"] for _, row in result.runs if row["status"] == OK]
     for error in result.errors:
         value = value_of(truth, error.answer)
@@ -90,7 +89,7 @@ def compare(kind: str, seed: int, folder: Path) -> Iterator[Compared]:
             cost, both = sum(seconds[1:]) / seconds[0], (seconds[0], row["seconds_processor_run"])
             unseen = blind if error.answer.key in STRENGTHS else {}
             yield Compared(
-                kind, seed, error.answer, value, cost, both, runs, settings, base["verdict"], indicators, unseen
+                kind, seed, error.answer, value, cost, both, runs, settings, base["verdict"] or "", indicators, unseen
             )
 
 
@@ -113,7 +112,7 @@ def main() -> None:
         for row in numbers_of(kind, seed, chosen.out, chosen.no_runs):
             rows.append(row)
             print(row, flush=True)
-    print(summary(rows))
+    print(summary(rows) if rows else "no number")
 
 
 def numbers_of(kind: str, seed: int, out: Path | None = None, is_done: bool = False) -> list[Compared]:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.scene import Scene, load
+from masonry.sweeps.convergence.analyses import frequency_keys
 from verification.studies.error_bars.draws import LAWS, Draw, length, stress
 from verification.studies.error_bars.random_motions import glued_column, rocking_block, sliding_block
 from verification.studies.error_bars.random_walls import (
@@ -13,6 +14,7 @@ from verification.studies.error_bars.random_walls import (
     bent_wallette,
     large_tilted_wall,
     rocking_wall,
+    standing_wall,
     wall_pushed_forwards,
     wall_to_and_fro,
     wall_with_window,
@@ -197,7 +199,12 @@ KINDS: dict[str, Callable[[Draw], dict[str, Any]]] = {
     "tilted dry wall in large displacement": large_tilted_wall,
     "shaken block that slides": sliding_block,
     "block that rocks": rocking_block,
+    "frequencies of a wall": standing_wall,
 }
+
+
+OF = {"frequencies of a wall": frequency_keys(3)}
+"""Numbers that are asked of a kind; where none is named, those of its run."""
 
 
 def scene_of(kind: str, seed: int) -> Scene:

@@ -194,3 +194,39 @@ def large_tilted_wall(draw: Draw) -> dict[str, Any]:
         "contact": {"unit_unit": {"tan_friction_angle": float(draw.uniform(0.5, 0.8))}},
         "limit": {"accuracy": float(draw.choice([0.01, 0.03]))},
     }
+
+
+def standing_wall(draw: Draw) -> dict[str, Any]:
+    """Glued, on a base that stands still; of rigid or affine blocks, or of tets."""
+    kinematics = str(draw.choice(["rigid", "affine", "tets"]))
+    joint = {
+        "normal_stiffness": f"{draw.uniform(5.0, 80.0):.4g} GPa/m",
+        "shear_stiffness": f"{draw.uniform(2.0, 30.0):.4g} GPa/m",
+    }
+    return {
+        "name": "wall",
+        "law": "elastic",
+        "kinematics": {"default": kinematics, "plates": "rigid"},
+        "specimen": {
+            "kind": "wallette",
+            "courses": int(draw.integers(2, 6)),
+            "units_per_course": int(draw.integers(1, 4)),
+            "unit_length": length(draw, 0.2, 0.4),
+            "unit_height": length(draw, 0.1, 0.2),
+            "thickness": length(draw, 0.1, 0.2),
+            "base": "100 mm",
+            "points_per_edge": int(draw.integers(2, 4)),
+        }
+        | (
+            {"mesh_size": "150 mm"}
+            if kinematics == "tets"
+            else {"contact_points": str(draw.choice(["gauss", "vertex"]))}
+        ),
+        "material": {
+            "units": {"density": "1900 kg/m^3", "young_modulus": "5 GPa", "poisson_ratio": 0.2},
+            "plates": {"density": "2400 kg/m^3"},
+        },
+        "contact": {"unit_unit": joint, "plate": joint},
+        "support": [{"on": "base", "fix": "all"}],
+        "gravity": {"z": "-9.81 m/s^2"},
+    }
