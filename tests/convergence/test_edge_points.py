@@ -15,8 +15,8 @@ PEAK = Answer("peak_stress_pa", "peak")
 
 
 def resultant(points, strip):
-    """From the edge, over the edge's length, and the largest pressure, where a wedge as wide as the strip would press if
-    points were many; the force is that wedge's."""
+    """From the edge, over the edge's length, and the largest pressure, where a wedge as wide as the strip would press
+    if points were many; the force is that wedge's."""
     place, weight = edge_rule("vertex", points)
     force = 0.5 * strip**2
     depth = brentq(lambda d: weight @ np.maximum(d - place, 0.0) - force, 0.0, 10.0)

@@ -7,7 +7,14 @@ from math import hypot
 from masonry.sweeps.convergence.answers import Answer, Value, value_of
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Refinement
 from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
-from masonry.sweeps.convergence.extrapolation import FLAT, Estimate, extrapolated, scatter_bar, together
+from masonry.sweeps.convergence.extrapolation import (
+    FLAT,
+    ROUNDING,
+    Estimate,
+    extrapolated,
+    scatter_bar,
+    together,
+)
 from masonry.sweeps.run_store import Row
 
 Ended = Sequence[tuple[Refinement, Row]]
@@ -71,6 +78,7 @@ def error_of_values(
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
+    flat = [difference for difference in flat if abs(difference) > ROUNDING * abs(base.number)]  # that act at all
     scattered = hypot(scatter_bar([*again, *flat]), base.interval)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
