@@ -13,7 +13,7 @@ from masonry.runtime.progress import ProgressLines, Tell
 from masonry.sweeps.job import Job, names
 from masonry.sweeps.run_store import Row, Store
 from masonry.sweeps.sweep_folder import DOING
-from masonry.sweeps.work import ERROR, ModesTask, RunEnd, compute
+from masonry.sweeps.work import ERROR, OK, ModesTask, RunEnd, compute
 
 WORKERS = 2
 
@@ -38,13 +38,24 @@ def run(
 
 
 def run_alone(
-    jobs: Sequence[Job], folder: Path, workers: int = WORKERS, tell: Tell | None = None, executor: Any = None
+    jobs: Sequence[Job],
+    folder: Path,
+    workers: int = WORKERS,
+    tell: Tell | None = None,
+    executor: Any = None,
+    needs_first: bool = False,
 ) -> list[Row]:
-    """As `run`, for one who holds the folder already (`lock.sole`)."""
+    """As `run`, for one who holds the folder already (`lock.sole`).
+
+    needs_first  all other runs end, and have no row, where the first one does not come to its end
+    """
     store = Store(folder)
     wanted = {job.key(): job for job in jobs}
     rows = {key: row for key in wanted if (row := store.row(key)) is not None}
     missing = [job for key, job in wanted.items() if key not in rows or rows[key]["status"] == ERROR]
+    first = jobs[0].key() if needs_first else None
+    if first in rows and rows[first]["status"] not in (OK, ERROR):
+        return [rows[first]]
     if rows and tell is not None:
         tell(f"{len(wanted) - len(missing)} of {len(wanted)} runs are done already")
     called = dict(zip(wanted, names(list(wanted.values())), strict=True))
@@ -55,6 +66,8 @@ def run_alone(
                 job = missing[number]
                 row = rows[job.key()] = store.keep(job.key(), ended)
                 tally.ended(called[job.key()], row["status"], row["seconds"])
+                if job.key() == first and row["status"] != OK:
+                    return [row]
     finally:
         store.sweep_up()
     return [dict(rows[job.key()]) for job in jobs]

@@ -29,13 +29,22 @@ def require_number(name: str, gauges: Sequence[str], where: str, what: str) -> N
 
     where  it was given        what  it is there
     """
-    entries = {GAUGES: gauges, ENERGIES: (*UNITS, *LARGE_UNITS, CRUSHING, INPUT_ENERGY, *ELEMENT_UNITS)}
+    entries = _entries(gauges)
     if not _is_number(Summary, name, entries):
         meant = f"shaking.gauges.{name}.peak" if name in gauges else name
         hint = did_you_mean(meant, sorted(_numbers(Summary, "", entries)))
         of = f", of the gauges {', '.join(gauges)}" if gauges else ""
         columns = f"{what} is a number of summary.json by its dotted name (docs/results.md){of}"
         raise SceneError(f"{where}no run has '{name}'; {columns}{hint}")
+
+
+def is_measured(name: str, gauges: Sequence[str]) -> bool:
+    """Whether a number of a summary is measured, and neither a count nor a yes or no."""
+    return _is_number(Summary, name, _entries(gauges), plain=(float,))
+
+
+def _entries(gauges: Sequence[str]) -> Entries:
+    return {GAUGES: gauges, ENERGIES: (*UNITS, *LARGE_UNITS, CRUSHING, INPUT_ENERGY, *ELEMENT_UNITS)}
 
 
 def _kinds(kind: Any) -> tuple[Any, ...]:
@@ -54,23 +63,32 @@ def _has_fields(kind: Any) -> bool:
     return get_origin(kind) is None and isinstance(kind, type) and issubclass(kind, Mapping)
 
 
-def _is_number(kind: Any, name: str, entries: Entries, within: Sequence[str] | None = None) -> bool:
-    """Whether a value of this type has a number by a dotted name, itself by none; `within`, the names that are in a
-    table, None where they are not known before a run. Names may have dots of their own."""
+def _is_number(
+    kind: Any,
+    name: str,
+    entries: Entries,
+    within: Sequence[str] | None = None,
+    plain: Sequence[type] = (int, float, bool),
+) -> bool:
+    """Whether a value of this type has a number of a plain type by a dotted name, itself by none; `within`, the names
+    that are in a table, None where they are not known before a run. Names may have dots of their own."""
     for one in _kinds(kind):
-        if one is Any or (not name and one in (int, float, bool)):
+        if one is Any or (not name and one in plain):
             return True
         if not name:
             continue
         if _has_fields(one):
             head, _, rest = name.partition(".")
             hints = get_type_hints(one)
-            if head in hints and _is_number(hints[head], rest, entries, entries.get(head)):
+            if head in hints and _is_number(hints[head], rest, entries, entries.get(head), plain):
                 return True
         elif (inner := _inner(one)) is not None:
             parts = name.split(".")
             ends = ((".".join(parts[:k]), ".".join(parts[k:])) for k in range(1, len(parts) + 1))
-            if any((within is None or entry in within) and _is_number(inner, rest, entries) for entry, rest in ends):
+            if any(
+                (within is None or entry in within) and _is_number(inner, rest, entries, None, plain)
+                for entry, rest in ends
+            ):
                 return True
     return False
 

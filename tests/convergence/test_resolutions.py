@@ -42,13 +42,13 @@ def test_tets_have_a_coarser_mesh_beside_the_finer_one():
 
 def test_a_motion_has_its_time_step_and_no_pace():
     scene = load("block-rocking")
-    assert settings(scene, "time step") == {"solver.step_fraction": scene.solver.step_fraction / 2}
+    assert settings(scene, "time step") == {"solver.step_fraction": scene.solver.step_fraction / 2, "solver.rows": 2000}
     assert "pace" not in [r.name for r in resolutions_of(scene)]
 
 
 def test_a_step_that_is_given_is_divided_itself():
     scene = load("block-rocking", {"solver.time_step": "2e-5 s"})
-    assert settings(scene, "time step") == {"solver.time_step": "1e-05 s"}
+    assert settings(scene, "time step") == {"solver.time_step": "1e-05 s", "solver.rows": 2000}
     changed(scene, settings(scene, "time step"))
 
 
@@ -120,3 +120,36 @@ def test_scatter_is_looked_at_again_where_nothing_else_shows():
     again = campaign.second(campaign.first(), {"pace": 1e-4}, 1e-3, 3.0)
     assert [trial.name for trial in again] == ["scatter"]
     assert campaign.second(campaign.first(), {"pace": 1e-4}, 1e-3, 5.5) == []
+
+
+def test_rows_of_a_motion_go_with_its_step_but_for_those_that_are_the_band_of_an_acceleration():
+    scene = load("block-shaken")
+    assert settings(scene, "time step")["solver.sampling"] == f"{2 * scene.sampling!r} Hz"
+    head = {"name": "sway", "at": "top", "direction": "x", "quantity": "acceleration"}
+    assert list(settings(load("block-shaken", {"gauge": [head]}), "time step")) == ["solver.step_fraction"]
+
+
+def test_a_load_that_grows_has_the_accuracy_of_its_trials():
+    assert settings(load("wall-tilted"), "trials") == {"limit.accuracy": 0.0025}
+    assert settings(load("wall-tilted", {"limit.accuracy": 1.5e-4}), "trials") is None
+    assert "trials" not in [r.name for r in resolutions_of(load("couplet"))]
+
+
+@pytest.mark.parametrize(
+    ("name", "keys", "expected"),
+    [
+        ("arch-tilted", {}, {"points of patches"}),
+        ("arch-tilted", {"specimen.patch_points": "spread"}, set()),
+        ("couplet-slid-off", {}, {"points along x", "points along y", "points of patches"}),
+    ],
+)
+def test_dry_joints_in_large_displacement_have_points_of_patches_alone(name, keys, expected):
+    """Points of joints are those of bonds; a bond that breaks leaves a patch."""
+    scene = load(name, keys)
+    assert {r.name for r in Campaign(scene).resolutions} - {"time step"} == expected
+    chosen = "patch_points_per_edge in its place" in " ".join(not_refined(scene))
+    assert chosen == ("specimen.patch_points" in keys)
+
+
+def test_points_of_patches_are_doubled_from_those_of_the_program():
+    assert settings(load("arch-tilted"), "points of patches") == {"specimen.patch_points_per_edge": 4}

@@ -30,7 +30,8 @@ FREQUENCY, MOST = re.compile(r"modes\.(\d{1,3})\.frequency_hz"), 100
 
 
 class Size(NamedTuple):
-    """Blocks, joints and contacts of a scene, and the seconds of processor that its analysis takes, in any measure."""
+    """Blocks, joints, and contacts at points of joints; and the seconds of processor that an analysis takes, in any
+    measure. In large displacement dry joints are patches, and have no such points."""
 
     seconds: float
     contacts: int
@@ -43,9 +44,11 @@ class RefinedAnalysis(Protocol):
     """An analysis of a scene that is refined.
 
     scatters  whether runs that differ in nothing of meaning differ
+    is_timed  whether a size has seconds of this machine
     """
 
     scatters: bool
+    is_timed: bool
 
     def resolutions(self, scene: Scene) -> list[Resolution]:
         """All that may be refined."""
@@ -79,7 +82,7 @@ class RefinedAnalysis(Protocol):
 class RunAnalysis:
     """The numbers of a run."""
 
-    scatters = True
+    scatters = is_timed = True
 
     def resolutions(self, scene: Scene) -> list[Resolution]:
         return resolutions_of(scene)
@@ -89,7 +92,8 @@ class RunAnalysis:
 
     def size(self, scene: Scene) -> Size:
         assembly = assemble(scene)
-        seconds, contacts = forecast(assembly).seconds[0], len(assembly.model.group)
+        seconds = forecast(assembly).seconds[0]
+        contacts = int(np.isin(assembly.model.group, assembly.model.swept).sum())
         return Size(seconds, contacts, assembly.specimen.blocks, assembly.joints, assembly.mesh is not None)
 
     def acts_along_y(self, scene: Scene) -> bool:
@@ -110,7 +114,7 @@ class ModesAnalysis:
     """Frequencies of modes, by their numbers from 1 on, the slowest first."""
 
     numbers: tuple[int, ...]
-    scatters = False
+    scatters = is_timed = False
 
     def resolutions(self, scene: Scene) -> list[Resolution]:
         return of_space(scene)

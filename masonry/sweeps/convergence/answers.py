@@ -10,13 +10,21 @@ from masonry.errors import SceneError
 from masonry.laboratory.result import load_result
 from masonry.rows.columns import CRUSHING, DASHPOT, FACTOR, TAKEN_BY_ELEMENTS
 from masonry.rows.columns import DISSIPATED as DISSIPATED_BY_JOINTS
+from masonry.sweeps.measured_number import is_measured, require_number
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK
 
 BORNE, FALLS = "collapse_load.borne", "collapse_load.falls"
-STIFFNESS, DISSIPATED = "initial_stiffness_pa_per_m", "dissipated_j"
+STIFFNESS, DISSIPATED, CRUSHED = "initial_stiffness_pa_per_m", "dissipated_j", "largest_crushing_m"
+DERIVED = (STIFFNESS, DISSIPATED, CRUSHED)
+"""Numbers that follow from the curve, the energies and the fields of a run."""
+CRUSHING_ENERGY = f"energy_j.{CRUSHING}"
 LOSSES = tuple(f"energy_j.{column}" for column in (*DISSIPATED_BY_JOINTS, CRUSHING, DASHPOT, *TAKEN_BY_ELEMENTS))
 MISSED = "missed_between_steps"
+SETTINGS = (
+    *("time_step_s", "step_fraction", "section_m2", "slip_limit", "collapse_load.accuracy"),
+    *("collapse_load.branch.until_m", "shaking.rows_a_second", MISSED),
+)
 ELASTIC = 0.1
 """Fraction of the peak up to which the secant of a curve is its initial stiffness."""
 NOTHING = 1e-6
@@ -40,12 +48,15 @@ ANSWERS = (
     Answer(STIFFNESS, "initial stiffness", "MPa/mm", 1e-9),
     Answer(BORNE, "load factor"),
     Answer(DISSIPATED, "dissipated energy", "J"),
+    Answer(CRUSHED, "largest crushing", "mm", 1e3),
 )
 BEHIND_GAUGES = {
     "gauges.{}.at_peak_m": ("{} at the peak", "mm", 1e3),
     "gauges.{}.final_m": ("{} at the end", "mm", 1e3),
     "shaking.gauges.{}.peak": ("largest {}", "", 1.0),
     "shaking.gauges.{}.residual": ("residual {}", "", 1.0),
+    "shaking.gauges.{}.peak_drift": ("largest drift of {}", "%", 100.0),
+    "shaking.gauges.{}.residual_drift": ("residual drift of {}", "%", 100.0),
 }
 """Numbers that each gauge of a scene has, and their words."""
 
@@ -70,10 +81,26 @@ def answers_of(row: Row, gauges: Sequence[str], chosen: Sequence[str] = ()) -> l
             known.get(key, Answer(key, key)) for key in chosen if abs(row.get(key) or 0.0) > nothing * is_gauge(key)
         ]
     there = [answer for answer in (*ANSWERS, *_of_gauges(gauges)) if isinstance(row.get(answer.key), float)]
+    if row.get(FALLS) is None:  # the factor is where the scene ends, and no answer
+        there = [answer for answer in there if answer.key != BORNE]
     largest: dict[str, float] = {}
     for answer in there:
         largest[answer.unit] = max(largest.get(answer.unit, 0.0), abs(row[answer.key]))
     return [answer for answer in there if abs(row[answer.key]) > NOTHING * largest[answer.unit]]
+
+
+def require_answer(name: str, gauges: Sequence[str]) -> None:
+    """Raise SceneError where no run has such a number, and for one that no refinement brings nearer to anything: what
+    counts something, what tells the time that a run took, and a setting."""
+    if name in DERIVED:
+        return
+    require_number(name, gauges, "--of: ", "it")
+    if name.startswith("seconds") or name in SETTINGS or not is_measured(name, gauges):
+        usual = ", ".join(answer.key for answer in ANSWERS[:4])
+        raise SceneError(
+            f"--of: '{name}' is a count, a time of processor or a setting, which has no value without end; others have "
+            f"one, such as {usual}"
+        )
 
 
 def is_gauge(key: str) -> bool:
@@ -90,11 +117,24 @@ def _of_gauges(gauges: Sequence[str]) -> list[Answer]:
 
 
 def with_derived(row: Row, folder: Path) -> Row:
-    """A row with what follows from its numbers and its curve: dissipated energy and initial stiffness."""
+    """A row with what follows from its numbers and its files: dissipated energy, initial stiffness, crushing."""
     parts = [row[key] for key in LOSSES if isinstance(row.get(key), float)]
-    derived = {DISSIPATED: sum(parts)} if parts and row.get(BORNE) is None else {}  # what falls dissipates on
-    stiffness = _initial_stiffness(folder / "runs" / row["key"]) if row["status"] == OK else None
-    return row | derived | ({STIFFNESS: stiffness} if stiffness is not None else {})
+    derived = {DISSIPATED: sum(parts)} if parts and row.get(FALLS) is None else {}  # what falls dissipates on
+    if row["status"] != OK:
+        return row | derived
+    run = folder / "runs" / row["key"]
+    others = {STIFFNESS: _initial_stiffness(run), CRUSHED: _largest_crushing(run) if CRUSHING_ENERGY in row else None}
+    return row | derived | {key: number for key, number in others.items() if number is not None}
+
+
+def _largest_crushing(folder: Path) -> float | None:
+    """m, the largest plastic closing of a contact at the end; None where no frame of a run is there."""
+    try:
+        frames = load_result(folder).history.frames
+    except SceneError:
+        return None
+    crushing = frames[-1].crushing if frames else None
+    return None if crushing is None or not len(crushing) else float(crushing.max())
 
 
 def _initial_stiffness(folder: Path) -> float | None:

@@ -11,7 +11,7 @@ from masonry.errors import SceneError
 from masonry.scene import Scene, changed
 from masonry.sweeps.convergence.analyses import RUN, RefinedAnalysis
 from masonry.sweeps.convergence.extrapolation import FLAT
-from masonry.sweeps.convergence.resolutions import ALL_EDGES, ALONG, ONE_AXIS, Resolution
+from masonry.sweeps.convergence.resolutions import ALL_EDGES, ALONG, ONE_AXIS, PATCHES, Resolution
 
 BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
 MATTERS = 0.1
@@ -155,8 +155,8 @@ class Campaign:
             size = self.analysis.size(changed(self.scene, trial.settings))
         except (SceneError, GeometryError):
             return None
-        is_of_points = "point" in trial.name
-        if is_of_points and size.contacts == self.size.contacts and not self.scene.is_large:
+        is_of_joints = "point" in trial.name and trial.name != PATCHES
+        if is_of_joints and size.contacts == self.size.contacts:
             return None
         return replace(trial, cost=size.seconds / self.size.seconds)
 

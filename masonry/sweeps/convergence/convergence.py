@@ -13,16 +13,16 @@ from masonry.runtime.folders.own_files import ResultFiles, remove_own
 from masonry.runtime.lock import sole
 from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
-from masonry.runtime.progress import Tell
+from masonry.runtime.progress import Tell, duration
 from masonry.scene import Scene
 from masonry.sweeps.convergence import chosen_settings, convergence_table
 from masonry.sweeps.convergence.analyses import RUN, analysis_of
+from masonry.sweeps.convergence.answers import require_answer
 from masonry.sweeps.convergence.campaign import Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
 from masonry.sweeps.convergence.resolutions import not_refined
 from masonry.sweeps.engine import run_alone
-from masonry.sweeps.measured_number import require_number
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.study_folder import SCENE, begin
 from masonry.sweeps.work import OK
@@ -102,7 +102,7 @@ def converge(
         raise SceneError(f"'{scene.name}' has nothing that could be refined: its answer has no error of resolution")
     folder = begin(scene, PICTURE, TABLE, DOING, None if out is None else Path(out), overwrite)
     if tell is not None:
-        tell(f"results in '{folder}'")
+        tell(_forecast(campaign, folder))
     with sole(folder, DOING):
         runner = Runner(folder, of, processors() if workers is None else workers, tell)
         errors, done = runner.measured(campaign)
@@ -115,13 +115,20 @@ def converge(
     return result
 
 
+def _forecast(campaign: Campaign, folder: Path) -> str:
+    """A line before the runs: how many there are at first, and about how long all of them take."""
+    seconds = campaign.size.seconds * (1.0 + campaign.limit)
+    about = f", about {duration(seconds)} of processor in all" if campaign.analysis.is_timed else ""
+    return f"{len(campaign.first())} runs at first{about}, results in '{folder}'"
+
+
 def require_words(scene: Scene, of: Sequence[str], to: str | float | None, cost: float | None) -> float | None:
     """The error asked for, if any; raises SceneError for a number that there is not, and what is out of range."""
     if cost is not None and not 1.0 <= cost < inf:
         raise SceneError(f"cost {cost:g}: times the scene itself that all other runs may take, 1 or more")
     if analysis_of(of) is RUN:
         for number in of:
-            require_number(number, [gauge.name for gauge in scene.gauge], "--of: ", "it")
+            require_answer(number, [gauge.name for gauge in scene.gauge])
     return None if to is None else chosen_settings.fraction(to)
 
 
@@ -154,9 +161,9 @@ class Runner:
     ) -> list[tuple[Refinement, Row]]:
         """base: the row of the scene as it is; the first of this round where there is none yet"""
         jobs = [campaign.analysis.job(campaign.scene, trial.settings, trial.label) for trial in trials]
-        rows = run_alone(jobs, self.folder, self.workers, self.tell) if jobs else []
+        rows = run_alone(jobs, self.folder, self.workers, self.tell, needs_first=base is None) if jobs else []
         rows = campaign.analysis.measured(rows, base or rows[0], self.folder) if rows else []
-        return list(zip(trials, rows, strict=True))
+        return list(zip(trials, rows, strict=False))  # of a scene that does not come to its end there is its own row
 
 
 def _write(scene: Scene, result: Convergence, form: str) -> None:

@@ -4,14 +4,16 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from masonry.assembly.contact_pairs import points_along
 from masonry.scene import Scene
 
 FINEST_ACCURACY = 1e-4
-MOST_ALONG_PATCH = 40
+MOST_ALONG_PATCH, MOST_ROWS = 40, 1_000_000
 """The finest that a scene takes."""
 JITTER = 1.01
 """Factor of refinement that means nothing."""
 ALONG = "points along "
+PATCHES = "points of patches"
 ONE_AXIS, ALL_EDGES = tuple(f"{ALONG}{axis}" for axis in "xyz"), (f"{ALONG}all edges",)
 """Names of what refines points along the edges of joints: by axis, or of joints that are no parallelograms all at once,
 as the fewest along any two axes count in these."""
@@ -65,14 +67,35 @@ def _of_time(scene: Scene) -> Iterator[Resolution]:
         yield Resolution("time step", lambda factor: _time_step(scene, factor))
     elif _pace(scene, 1.0):
         yield Resolution("pace", lambda factor: _pace(scene, factor))
+    if scene.grows:
+        yield Resolution("trials", lambda factor: _trials(scene, factor))
 
 
 def _time_step(scene: Scene, factor: float) -> dict[str, Any]:
-    """The step that is given, or the fraction of its bound."""
+    """The step that is given, or the fraction of its bound; and of a motion in time the rows at which it is read."""
     step = scene.solver.time_step
+    rows = _rows(scene, factor) if scene.solver.masses == "real" else {}
     if isinstance(step, float):
-        return {"solver.time_step": f"{step / factor!r} s"}
-    return {"solver.step_fraction": scene.solver.step_fraction / factor}
+        return {"solver.time_step": f"{step / factor!r} s"} | rows
+    return {"solver.step_fraction": scene.solver.step_fraction / factor} | rows
+
+
+def _rows(scene: Scene, factor: float) -> dict[str, Any]:
+    """Rows a second, or in all, between which a gauge may read more; none where a gauge reads an acceleration, whose
+    band they are, and where increments say how many there are."""
+    if scene.is_controlled or scene.grows or any(gauge.quantity == "acceleration" for gauge in scene.gauge):
+        return {}
+    if scene.sampling is not None:
+        return {"solver.sampling": f"{scene.sampling * factor!r} Hz"}
+    return {"solver.rows": min(max(round(scene.solver.rows * factor), 2), MOST_ROWS)}
+
+
+def _trials(scene: Scene, factor: float) -> dict[str, Any] | None:
+    """The accuracy of a load that grows: how near its trials come to each other, how long its increments are, how much
+    at rest it must be, and how near to equilibrium a branch is led."""
+    assert scene.limit is not None and scene.limit.run_accuracy is not None
+    finer = scene.limit.run_accuracy / factor
+    return {"limit.accuracy": finer} if finer >= FINEST_ACCURACY else None
 
 
 def _pace(scene: Scene, factor: float) -> dict[str, Any] | None:
@@ -126,10 +149,12 @@ def _along(name: str, axes: str, number: dict[str, int], from_edges: bool) -> Re
 
 
 def _of_patches(scene: Scene) -> Iterator[Resolution]:
-    """Points of dry contacts in large displacement, where their number is given or corners alone bear."""
+    """Points of dry contacts in large displacement: their number where it is given, else that of the program. A kind of
+    points that the scene chooses has no number."""
     along = scene.specimen.patch_points_per_edge
-    if scene.is_large and along is not None:
-        yield Resolution("points of patches", lambda factor: _patch(along, factor))
+    crushes = any(contact.crushing for contact in scene.contact.values())
+    if scene.is_large and scene.specimen.patch_points is None:
+        yield Resolution(PATCHES, lambda factor: _patch(along or points_along(scene, crushes), factor))
 
 
 def _patch(along: int, factor: float) -> dict[str, Any] | None:
@@ -153,6 +178,11 @@ def not_refined(scene: Scene) -> list[str]:
         )
     elif max(getattr(spec, "divisions", None) or (1,)) > 1:
         remarks.append("Blocks of a unit (specimen.divisions) say where cracks may run: they are part of the model.")
+    if scene.is_large and spec.patch_points is not None:
+        remarks.append(
+            "Points of patches are a choice of this scene (specimen.patch_points): specimen.patch_points_per_edge in "
+            "its place is refined."
+        )
     if any(map(scene.is_meshed, scene.material)) and spec.mesh == "fan":
         remarks.append("A fan of tets (specimen.mesh) has no size: only gmsh makes it finer.")
     return remarks
