@@ -1,10 +1,12 @@
 """Errors of numbers from runs whose limits are known."""
 
 import numpy as np
+import pytest
 
-from masonry.sweeps.convergence.answers import Answer, Value
+from masonry.sweeps.convergence.answers import PLACE, ROWS_APART, Answer, Value
 from masonry.sweeps.convergence.campaign import Refinement
-from masonry.sweeps.convergence.numerical_errors import error_of_values
+from masonry.sweeps.convergence.numerical_errors import error_of, error_of_values
+from masonry.sweeps.work import OK
 
 SWAY = Answer("sway", "sway")
 ACTING = (("scatter", 1.0), ("time step", 2.0))
@@ -27,6 +29,27 @@ def test_what_does_not_act_at_all_says_nothing_of_scatter():
     errors = [error_of_values(SWAY, runs_of(numbers[:3]), {}) for numbers in draws]
     holds = [abs(error.limit - numbers[3]) <= error.half_width for error, numbers in zip(errors, draws, strict=True)]
     assert np.mean(holds) > 0.93
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_place_of_a_flat_peak_is_read_off_between_rows(seed):
+    """Of a parabola: runs whose rows lie alike read the same off, and none where the peak is."""
+    draw = np.random.default_rng(seed)
+    peak, apart, begin = 1e-3 * draw.uniform(0.8, 1.2), 1e-4, 1e-4 * draw.uniform(-1.0, 0.0)
+    way = begin + apart * np.arange(1, 21)
+    place = float(way[np.argmax(way * (2.0 * peak - way))])
+    reading = apart / place
+    trials = ("as it is", 1.0), ("scatter", 1.0), ("pace", 2.0), ("points along x", 2.0)
+    runs = [
+        (Refinement(name, factor, {}), {"status": OK, PLACE: place, ROWS_APART: reading}) for name, factor in trials
+    ]
+    error = error_of(Answer(PLACE, "displacement there"), runs)
+    assert error.limit == pytest.approx(place)
+    assert abs(error.limit - peak) <= error.half_width < 1.01 * apart
+    assert (
+        error_of(Answer("final_stress_pa", "end"), [(t, row | {"final_stress_pa": 2.0}) for t, row in runs]).half_width
+        == 0.0
+    )
 
 
 def test_runs_that_are_the_same_to_the_last_digit_have_no_bar():

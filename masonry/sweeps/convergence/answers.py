@@ -21,6 +21,7 @@ DERIVED = (STIFFNESS, DISSIPATED, CRUSHED)
 CRUSHING_ENERGY = f"energy_j.{CRUSHING}"
 LOSSES = tuple(f"energy_j.{column}" for column in (*DISSIPATED_BY_JOINTS, CRUSHING, DASHPOT, *TAKEN_BY_ELEMENTS))
 MISSED = "missed_between_steps"
+PLACE, ROWS_APART = "displacement_at_peak_m", "rows_apart_at_peak"
 SETTINGS = (
     *("time_step_s", "step_fraction", "section_m2", "slip_limit", "collapse_load.accuracy"),
     *("collapse_load.branch.until_m", "shaking.rows_a_second", MISSED),
@@ -43,7 +44,7 @@ class Answer:
 
 ANSWERS = (
     Answer("peak_stress_pa", "peak", "MPa", 1e-6),
-    Answer("displacement_at_peak_m", "displacement there", "mm", 1e3),
+    Answer(PLACE, "displacement there", "mm", 1e3),
     Answer("final_stress_pa", "end stress", "MPa", 1e-6),
     Answer(STIFFNESS, "initial stiffness", "MPa/mm", 1e-9),
     Answer(BORNE, "load factor"),
@@ -64,10 +65,12 @@ BEHIND_GAUGES = {
 @dataclass(frozen=True)
 class Value:
     """A number of a run, and the half-width of the interval of which it is the lower end: of a load factor between what
-    was borne and what fell, of a peak between steps."""
+    was borne and what fell, of a peak between steps; and by how much it is read off to both sides, where it is the
+    place of a row."""
 
     number: float
     interval: float = 0.0
+    reading: float = 0.0
 
 
 def answers_of(row: Row, gauges: Sequence[str], chosen: Sequence[str] = ()) -> list[Answer]:
@@ -123,7 +126,12 @@ def with_derived(row: Row, folder: Path) -> Row:
     if row["status"] != OK:
         return row | derived
     run = folder / "runs" / row["key"]
-    others = {STIFFNESS: _initial_stiffness(run), CRUSHED: _largest_crushing(run) if CRUSHING_ENERGY in row else None}
+    apart = _rows_apart_at_peak(run, row[PLACE]) if row.get(PLACE) else None
+    others = {
+        STIFFNESS: _initial_stiffness(run),
+        ROWS_APART: apart,
+        CRUSHED: _largest_crushing(run) if CRUSHING_ENERGY in row else None,
+    }
     return row | derived | {key: number for key, number in others.items() if number is not None}
 
 
@@ -156,6 +164,17 @@ def _initial_stiffness(folder: Path) -> float | None:
     return float(rise[later[0]] / moved[later[0]])
 
 
+def _rows_apart_at_peak(folder: Path, place: float) -> float | None:
+    """How far the rows beside that of the peak lie from it, the farther one, over the displacement there: where a peak
+    is flat, one of them is as good."""
+    try:
+        way = load_result(folder).history.rows["displacement"]
+    except (SceneError, KeyError):
+        return None
+    at = int(np.argmin(np.abs(way - place)))
+    return float(np.max(np.abs(way[max(at - 1, 0) : at + 2] - way[at])) / abs(place))
+
+
 def value_of(row: Row, answer: Answer) -> Value | None:
     """The number of a run; None where it has none."""
     number = row.get(answer.key)
@@ -166,4 +185,6 @@ def value_of(row: Row, answer: Answer) -> Value | None:
         higher = row[FALLS] - number
     elif answer.key == "peak_stress_pa":
         higher = abs(number) * (row.get(MISSED) or 0.0)
-    return Value(float(number), 0.5 * higher)
+    is_place = answer.key == PLACE or answer.key.endswith(".at_peak_m")
+    reading = abs(number) * (row.get(ROWS_APART) or 0.0) if is_place else 0.0
+    return Value(float(number), 0.5 * higher, reading)

@@ -112,7 +112,7 @@ def compared_of(line: Mapping[str, Any]) -> Compared:
             Refinement(
                 run["name"], run["factor"], {}, members=tuple((name, factor) for name, factor in run["members"])
             ),
-            Value(run["number"], run["interval"]),
+            Value(run["number"], run["interval"], run.get("reading", 0.0)),
         )
         for run in line["runs"]
     )
