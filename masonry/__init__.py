@@ -164,7 +164,10 @@ def check(scene: "SceneLike") -> "Report":
 
 @speaking_python
 def run(
-    scene: "SceneLike", threads: int | str = 1, progress: "Callable[[int, int, str], None] | bool | None" = None
+    scene: "SceneLike",
+    threads: int | str = 1,
+    progress: "Callable[[int, int, str], None] | bool | None" = None,
+    error_bar: bool = False,
 ) -> "Result":
     """Run a scene to its end. Raises SceneError or GeometryError before it starts, Stopped if it runs away.
 
@@ -172,6 +175,8 @@ def run(
     threads   their number, or "auto": as many as the scene is worth; no bit depends on it
     progress  True: say how far it is; False: say nothing; None: say it in a notebook only, where the line goes when
               the run ends; or a function of step, steps and a note
+    error_bar True: it is refined as well, in about seven times the time, by processes side by side:
+              `result.summary.numerical_error` has the bars, see docs/converge.md
 
     >>> result = masonry.run(masonry.load("couplet", {"confinement": "0.1 MPa"}))
     >>> peak = result.peak  # m and Pa; by hand c + p tan(phi) = 0.971 MPa
@@ -187,10 +192,14 @@ def run(
     from masonry.laboratory.laboratory import run as run_scene
     from masonry.laboratory.notebook import telling
 
-    threads = arguments.threads(threads)
+    threads, refined = arguments.threads(threads), arguments.flag("error_bar", error_bar)
     progress, scene = arguments.called("progress", progress, True, False, None), _scene(scene)
     with telling(progress, scene.name) as tell:
-        return run_scene(scene, threads, tell)
+        if not refined:
+            return run_scene(scene, threads, tell)
+        from masonry.sweeps.convergence.run_with_bar import run_refined
+
+        return run_refined(scene, threads, tell)
 
 
 @speaking_python

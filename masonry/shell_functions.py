@@ -171,10 +171,14 @@ def resume(folder: str | Path, threads: int | str | None = None) -> "Result":
     from masonry.laboratory import arguments
     from masonry.laboratory.result import load_result
     from masonry.laboratory.run_command import resume_in
-    from masonry.runtime.shell import STOPPED
+    from masonry.runtime.processors import processors
+    from masonry.runtime.shell import OK, STOPPED
+    from masonry.sweeps.convergence.run_with_bar import is_begun, refine
 
     place = arguments.path("folder", folder)
     code = resume_in(place, None if threads is None else arguments.threads(threads))
+    if code == OK and is_begun(place):
+        refine(place, processors())
     result = load_result(place)
     if code == STOPPED:
         stop = Stopped(str(result.summary.stopped))

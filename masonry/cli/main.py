@@ -69,14 +69,7 @@ def parser() -> Parser:
     scene.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides", help="change a key of the scene"
     )
-    run = added.add_parser("run", parents=[scene], help="run a scene and write its results")
-    run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
-    run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
-    how_many = f"threads, 1 (default) to {processors()}, or auto: as many as the scene is worth"
-    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=how_many)
-    run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
-    run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
-    run.set_defaults(action=scene_commands.run_scene)
+    _add_run(added, scene)
     _add_resume(added)
     check = added.add_parser(
         "check", parents=[scene], help="say how long a scene will take, and which parts of the program it does not use"
@@ -103,6 +96,22 @@ def parser() -> Parser:
     )
     doctor.set_defaults(action=scene_commands.doctor)
     return main
+
+
+def _add_run(added: Any, scene: Parser) -> None:
+    """`masonry run` and its options."""
+    run = added.add_parser("run", parents=[scene], help="run a scene and write its results")
+    run.add_argument("--out", type=Path, metavar="DIR", help="folder for the results (default results/SCENE-N)")
+    run.add_argument("--overwrite", action="store_true", help="replace results that are in DIR already")
+    how_many = f"threads, 1 (default) to {processors()}, or auto: as many as the scene is worth"
+    run.add_argument("--threads", type=_threads, default=1, metavar="N", help=how_many)
+    run.add_argument("--checkpoint-every", metavar="TIME", help="such as 10min, or never (default 5min; first after 1)")
+    run.add_argument(
+        "--error-bar", action="store_true", help="refine it too: how far are its numbers from those without end?"
+    )
+    run.add_argument("--workers", type=int, metavar="N", help="processes of --error-bar (default: processors)")
+    run.add_argument("--quiet", action="store_true", help="say nothing unless something goes wrong")
+    run.set_defaults(action=scene_commands.run_scene)
 
 
 def _add_resume(added: Any) -> None:

@@ -5,10 +5,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from masonry.curves.error_bars import draw_band
 from masonry.curves.ledger import draw_ledger
 from masonry.curves.settling_curve import COLOURS, movements
 from masonry.pictures.labels import PointLabel, key_beside, place_labels
 from masonry.pictures.style import MILLI, heading, plain, tidy
+from masonry.results.records.convergence_record import RefinedNumber
 from masonry.results.summary import CollapseLoad
 from masonry.rows.columns import FACTOR
 from masonry.rows.peak import before_a_fall
@@ -62,6 +64,7 @@ def collapse_figure(result: "ResultData") -> Any:
         _draw_path(curve, path, colour, led, len(paths) > 1)
     _limit_fall(curve, paths, led)
     curve.axhline(0.0, color="0.6", linewidth=0.8)
+    draw_band(curve, number := _without_end(result))
     curve.set_ylabel(FACTOR_LABEL)
     energies = _energies(result, main)
     draw_ledger(ledger, energies, main.across)
@@ -72,8 +75,15 @@ def collapse_figure(result: "ResultData") -> Any:
     for axes in (curve, ledger):
         key_beside(axes)
     end = (float(main.across[main.rests - 1]), grown.borne)
-    place_labels(figure, curve, [PointLabel(factor_words(grown, result), end, RED)])
+    words = factor_words(grown, result) + (f"\nwithout end {number.interval()}" if number is not None else "")
+    place_labels(figure, curve, [PointLabel(words, end, RED)])
     return figure
+
+
+def _without_end(result: "ResultData") -> RefinedNumber | None:
+    """The load factor, refined without end; None where the run was not refined."""
+    refined = result.summary.numerical_error
+    return None if refined is None else refined.of("collapse_load.borne")
 
 
 def factor_words(grown: CollapseLoad, result: "ResultData") -> str:

@@ -6,6 +6,7 @@ import numpy as np
 
 from masonry.curves.collapse_curve import collapse_figure, is_collapse_curve
 from masonry.curves.curve_axes import CurveAxes, curve_axes, without_blows
+from masonry.curves.error_bars import bar_words, draw_bars
 from masonry.curves.fall_mark import mark_fall
 from masonry.curves.ledger import draw_ledger
 from masonry.curves.measured import draw_measured
@@ -79,6 +80,7 @@ def _draw_curve(axes: Any, result: "ResultData", drawn: CurveAxes) -> None:
     limits = without_blows(result, stress, support, np.full_like(stress, peak))
     if limits is not None:
         axes.set_ylim(*limits)
+    draw_bars(axes, result, drawn)
 
 
 def _labels(result: "ResultData", drawn: CurveAxes) -> list[PointLabel]:
@@ -90,7 +92,8 @@ def _labels(result: "ResultData", drawn: CurveAxes) -> list[PointLabel]:
     word = "highest" if still_rises(result.summary) else "peak"
     peak_at, peak = drawn.place(stood, result.peak.displacement), result.peak.stress * drawn.factor
     place = f"{without_noise(peak_at, drawn.across):.4g} {drawn.across_unit}"
-    labels = [PointLabel(f"{word} {peak:.4g} {unit} at {place}", (peak_at, peak), "#b2182b")]
+    said = f"{word} {peak:.4g} {unit} at {place}{bar_words(result, drawn.factor, unit)}"
+    labels = [PointLabel(said, (peak_at, peak), "#b2182b")]
     if peak_row(stood) < len(stress) - 1:
         words = f"at the end {without_noise(float(stress[-1]), stress):.3g} {unit}"
         labels.append(PointLabel(words, (float(drawn.across[-1]), float(stress[-1]))))

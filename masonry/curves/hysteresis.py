@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from masonry.curves.curve_axes import curve_axes
+from masonry.curves.error_bars import bar_words, draw_bars
 from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.curves.measured import draw_measured
 from masonry.pictures.labels import PointLabel, key_below, key_beside, place_labels
@@ -68,6 +69,9 @@ def hysteresis_figure(result: "ResultData") -> Any:
     draw_measured(loops, result, curve_axes(result))
     peaks = peak_labels(result, drawn)
     _draw_loops(loops, drawn, peaks)
+    if peaks:
+        draw_bars(loops, result, curve_axes(result))
+    key_beside(loops)
     path = drawn.unit * np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drawn.turning)))])
     draw_ledger(ledger, drawn.rows, path)
     ledger.set_xlabel(drawn.path)
@@ -90,7 +94,8 @@ def peak_labels(result: "ResultData", drawn: Loops) -> list[PointLabel]:
         sides.append(("lowest", lowest, float(axes.across[lowest_row(stood)])))
     return [
         PointLabel(
-            f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}",
+            f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}"
+            + (bar_words(result, axes.factor, axes.unit) if word == "highest" else ""),
             (place, stress * axes.factor),
             RED,
         )
@@ -125,7 +130,6 @@ def _draw_loops(axes: Any, drawn: Loops, peaks: list[PointLabel]) -> None:
     axes.axvline(0.0, color="0.6", linewidth=0.8)
     axes.set_xlabel(drawn.x)
     axes.set_ylabel(drawn.y)
-    key_beside(axes)
 
 
 def _draw_bars(axes: Any, cycles: list[dict[str, Any]]) -> None:

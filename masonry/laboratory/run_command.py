@@ -2,6 +2,7 @@
 
 import argparse
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +17,9 @@ EVERY = 300.0
 NEVER = ("0", "never")
 
 
-def run(words: argparse.Namespace) -> int:
-    """`masonry run`: everything that the run got to is written, whatever ended it."""
+def run(words: argparse.Namespace, begin: Callable[[Any, Path], None] | None = None) -> int:
+    """`masonry run`: everything that the run got to is written, whatever ended it; `begin` is called with the scene and
+    its folder before anything runs."""
     from masonry import scene
     from masonry.runtime.folder import claimed, scene_name, writing
     from masonry.timeloop.checkpoint import Checkpoints
@@ -27,6 +29,8 @@ def run(words: argparse.Namespace) -> int:
         loaded = scene.load(words.scene, words.overrides)
         with claimed(words.scene, words.out, overwrite=words.overwrite) as out:
             checkpoints = Checkpoints(out)
+            if begin is not None:
+                begin(loaded, out)
             with writing(out):
                 checkpoints.sweep_up()
                 checkpoints.clear()

@@ -151,11 +151,17 @@ def summary_rows(summary: Summary) -> Rows:
         ("accuracy", [accuracy_text(summary)] if summary.control and driven else []),
         ("sudden cracks", [sudden_text(summary)] if summary.sudden_cracks else []),
         ("steps", ["not known" if summary.steps is None else f"{summary.steps}"]),
-        ("trust", [trust(summary)]),
-        ("advice", advice(summary)),
-        ("time", [summary.time]),
     ]
-    return [(name, lines) for name, lines in rows if lines]
+    judged = [("trust", [trust(summary)]), ("advice", advice(summary)), ("time", [summary.time])]
+    return [(name, lines) for name, lines in [*_with_bars(rows, summary), *judged] if lines]
+
+
+def _with_bars(rows: Rows, summary: Summary) -> Rows:
+    """The same, each number with its bar where the run was refined."""
+    if summary.numerical_error is None:
+        return rows
+    swings = summary.shaking.gauges or {} if summary.shaking is not None else {}
+    return summary.numerical_error.with_bars(rows, {name: swing.quantity for name, swing in swings.items()})
 
 
 def _gauge_rows(summary: Summary, driven: bool) -> Rows:

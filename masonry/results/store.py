@@ -11,7 +11,7 @@ from masonry.errors import SceneError
 from masonry.results import archive, fields
 from masonry.results.data import ResultData
 from masonry.results.joint_resultants import resultants_csv
-from masonry.results.summary import read_summary
+from masonry.results.summary import Summary, read_summary
 from masonry.results.table import csv_text
 from masonry.runtime.folders.own_files import ResultFiles
 
@@ -33,8 +33,13 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
         files.text("resultants.csv", resultants_csv(result.resultants))
         files.text("scene.toml", result.scene_toml)
         files.text("run.log", "".join(line + "\n" for line in [*result.log, f"time: {result.summary.time}"]))
-        files.text("summary.json", json.dumps(dict(result.summary), indent=2, allow_nan=False, default=_plain) + "\n")
+        files.text("summary.json", summary_json(result.summary))
     return {name: folder / name for name in NUMBERS}
+
+
+def summary_json(summary: Summary) -> str:
+    """Text of summary.json, of numbers that are all finite."""
+    return json.dumps(summary.as_table(), indent=2, allow_nan=False, default=_plain) + "\n"
 
 
 def save_fields(result: ResultData, folder: Path) -> None:

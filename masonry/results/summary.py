@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypedDict
 
 from masonry.errors import SceneError
+from masonry.results.records.convergence_record import Refined
 from masonry.results.records.element_record import WithElements
 from masonry.results.records.laboratory_record import MeasuredBeside, StandardResults
 from masonry.runtime.progress import duration
@@ -370,8 +371,13 @@ class Trust(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Summary(Trust, WithElements, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
+class Summary(Refined, Trust, WithElements, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""
+
+    def as_table(self) -> dict[str, Any]:
+        """The keys that are written: those of `Refined` only where there is something."""
+        left_out = {entry.name for entry in fields(Refined) if getattr(self, entry.name) is None}
+        return {key: value for key, value in self.items() if key not in left_out}
 
 
 def _duration(seconds: float | None) -> str:

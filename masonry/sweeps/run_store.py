@@ -17,6 +17,8 @@ from masonry.sweeps.work import MODES, OK, SHAPES, STATUSES, RunEnd
 
 Row = dict[str, Any]
 FAILURE = "failure.json"
+NUMERICAL_ERROR = "numerical_error"
+"""Key of summary.json of a run that was refined."""
 
 
 class Store:
@@ -47,6 +49,7 @@ class Store:
         if failure is None and (numbers is None or not (folder / "history.h5").is_file()):
             return None
         seconds = (numbers or {}).pop("seconds", None)
+        (numbers or {}).pop(NUMERICAL_ERROR, None)  # a row is that of its run alone, whoever refined it
         how = failure or {"status": OK, "reason": "", "seconds": seconds}
         plain = isinstance(how.get("reason"), str) and isinstance(how.get("seconds"), int | float | None)
         if how.get("status") not in STATUSES or not plain:

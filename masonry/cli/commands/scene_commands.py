@@ -2,12 +2,18 @@
 
 import argparse
 
-from masonry.errors import visible
+from masonry.errors import SceneError, visible
 from masonry.runtime.shell import OK, tell
 
 
 def run_scene(words: argparse.Namespace) -> int:
     """`masonry run`."""
+    if words.error_bar:
+        from masonry.cli.error_bar_words import run_with_bar
+
+        return run_with_bar(words)
+    if words.workers is not None:
+        raise SceneError("--workers: processes of the refinements of --error-bar; a run itself has --threads")
     from masonry.laboratory.run_command import run
 
     return run(words)
@@ -15,9 +21,11 @@ def run_scene(words: argparse.Namespace) -> int:
 
 def resume_run(words: argparse.Namespace) -> int:
     """`masonry resume`."""
+    from masonry.cli.error_bar_words import resume_with_bar
     from masonry.laboratory.run_command import resume
+    from masonry.sweeps.convergence.run_with_bar import is_begun
 
-    return resume(words)
+    return resume_with_bar(words) if is_begun(words.folder) else resume(words)
 
 
 def check_scene(words: argparse.Namespace) -> int:

@@ -9,7 +9,7 @@ from pathlib import Path
 from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
-from masonry.runtime.folders.own_files import ResultFiles, remove_own
+from masonry.runtime.folders.own_files import RUNS, ResultFiles, remove_own
 from masonry.runtime.lock import sole
 from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
@@ -20,6 +20,7 @@ from masonry.sweeps.convergence.analyses import RUN, analysis_of
 from masonry.sweeps.convergence.answers import require_answer
 from masonry.sweeps.convergence.campaign import Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
+from masonry.sweeps.convergence.error_record import record_of, write_record
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
 from masonry.sweeps.convergence.resolutions import not_refined
 from masonry.sweeps.engine import run_alone
@@ -182,3 +183,5 @@ def _write(scene: Scene, result: Convergence, form: str) -> None:
                 write_picture(figure, files.new(f"{PICTURE}.{form}"))
             if result.chosen is not None:
                 files.text(FILE, result.chosen.as_toml(SCENE))
+        if result.has_come_to_its_end:
+            write_record(result.folder / RUNS / result.runs[0][1]["key"], record_of(result.errors, result.runs))

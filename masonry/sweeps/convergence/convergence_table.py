@@ -9,6 +9,7 @@ from math import hypot
 from typing import Any
 
 from masonry.errors import visible
+from masonry.results.records.convergence_record import LIMITS_OF_USE
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
 from masonry.sweeps.convergence.answers import BORNE
@@ -18,10 +19,9 @@ from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK
 
 HEADS = ("number", "as it is", "without end", "error", "95 % bar", "order", "made up of")
-NOT_IN_IT = (
-    "This is the error of resolution alone. What the model leaves out, and how well its values are known, is not in "
-    "it: masonry sensitivity, masonry sweep."
-)
+NOT_IN_IT = f"{' '.join(LIMITS_OF_USE)} masonry sensitivity and masonry sweep vary these."
+BOUND = "\u00a0"
+"""A blank at which no line ends."""
 NEGLIGIBLE = 1e-4
 """Relative error of which no more is said."""
 SMALL = 0.1
@@ -39,8 +39,13 @@ def text(errors: Sequence[NumericalError], runs: Ended, remarks: Sequence[str]) 
     ]
     none = [] if errors else ["The run has none of the numbers that were asked for."]
     said = [*none, *map(sentence, errors[:1]), *advice(errors[:1], runs), *lost, *remarks, NOT_IN_IT]
-    below = [line for words in said for line in textwrap.wrap(visible(words), WIDTH)]
+    below = [line for words in said for line in _wrapped(visible(words))]
     return "\n".join([*lines, "", *_run_lines(runs), "", *below])
+
+
+def _wrapped(words: str) -> list[str]:
+    """Lines of a sentence, none of which begins with a sign of per cent."""
+    return [line.replace(BOUND, " ") for line in textwrap.wrap(words.replace(" %", f"{BOUND}%"), WIDTH)]
 
 
 def _line(error: NumericalError) -> list[str]:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from masonry.pictures.labels import wrapped
+from masonry.pictures.labels import key_beside, wrapped
 from masonry.pictures.style import plain, tidy
 from masonry.sweeps.convergence.answers import value_of
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER
@@ -10,7 +10,7 @@ from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
 
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#17becf", "#bcbd22")
 WIDE = 10.0
-"""Ratio of the longest to the shortest run, beyond which the axis of time is logarithmic."""
+"""Ratio of the longest to the shortest run, or of the largest error to the bar, beyond which an axis is logarithmic."""
 
 
 def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
@@ -38,18 +38,20 @@ def figure_of(title: str, error: NumericalError, runs: Ended) -> Any:
         axes.plot(*zip(*again, strict=True), "x", color="0.5", label=SCATTER)
     axes.plot(base[1], base[2], "s", color="#222222", markersize=9, label="scene as it is", zorder=3)
     width = 100.0 * error.half_width / size
-    axes.axhspan(0.0, width, color="0.9", zorder=0, label="95 % bar of the value without end")
+    axes.axhspan(0.0, width, color="0.9", zorder=0, label="95 % bar")
     seconds = [x for _, x, _ in points]
     if max(seconds) > WIDE * min(seconds):
         axes.set_xscale("log")
         axes.xaxis.set_major_formatter(FuncFormatter(_as_number))
     else:
         axes.set_xlim(0.0, 1.1 * max(seconds))
-    axes.set_yscale("symlog", linthresh=max(width, 1e-6))
-    axes.yaxis.set_major_formatter(FuncFormatter(_as_number))
-    axes.set_ylim(0.0, 1.5 * max(width, *(y for _, _, y in points)) or None)
+    highest = max(width, *(y for _, _, y in points))
+    if highest > WIDE * width:
+        axes.set_yscale("symlog", linthresh=max(width, 1e-6))
+        axes.yaxis.set_major_formatter(FuncFormatter(_as_number))
+    axes.set_ylim(0.0, 1.1 * highest or None)
     axes.set(xlabel="processor [s]", ylabel=f"error of the {plain(error.answer.words)} [%]")
-    axes.legend(fontsize=9, frameon=False)
+    key_beside(axes)
     figure.suptitle(plain(wrapped(title, 70)), fontsize=13)
     return figure
 

@@ -1,0 +1,39 @@
+"""The errors of a scene as a key of summary.json, `numerical_error`, of the run whose numbers they are."""
+
+from collections.abc import Sequence
+from math import isfinite
+from pathlib import Path
+
+from masonry.results.records.convergence_record import RefinedNumber, RefinedNumbers
+from masonry.results.store import summary_json
+from masonry.results.summary import Summary, read_summary
+from masonry.runtime.folder import writing
+from masonry.runtime.folders.own_files import ResultFiles
+from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+from masonry.sweeps.run_store import NUMERICAL_ERROR
+from masonry.sweeps.work import OK
+
+
+def record_of(errors: Sequence[NumericalError], runs: Ended) -> RefinedNumbers:
+    """The numbers without end, and how many times finer than the scene its runs were, by name of a resolution."""
+    numbers = {
+        error.answer.key: RefinedNumber(
+            error.limit, error.half_width, error.order, {name: part + 0.0 for name, part in error.parts.items()}
+        )
+        for error in errors
+        if isfinite(error.half_width)
+    }
+    refined: dict[str, float] = {}
+    for trial, row in runs:
+        if row["status"] == OK and trial.factor > 1.0:
+            for name, factor in trial.members or ((trial.name, trial.factor),):
+                refined[name] = max(refined.get(name, 1.0), factor)
+    return RefinedNumbers(numbers, refined)
+
+
+def write_record(folder: Path, record: RefinedNumbers) -> None:
+    """Put it into summary.json of a folder of results, and change nothing else there. Raises SceneError."""
+    path = folder / "summary.json"
+    with writing(folder), ResultFiles(folder) as files:
+        summary = Summary.read(read_summary(path)) | {NUMERICAL_ERROR: record}
+        files.text(path.name, summary_json(summary))
