@@ -157,9 +157,9 @@ def check(scene: "SceneLike") -> "Report":
     >>> print(f"{report['time_step_s']:.1e} s")
     2.0e-05 s
     """
-    from masonry.laboratory.laboratory import check as check_scene
+    from masonry.sweeps.error_bars.check_line import checked
 
-    return check_scene(_scene(scene))
+    return checked(_scene(scene))
 
 
 @speaking_python
@@ -197,7 +197,7 @@ def run(
     with telling(progress, scene.name) as tell:
         if not refined:
             return run_scene(scene, threads, tell)
-        from masonry.sweeps.convergence.run_with_bar import run_refined
+        from masonry.sweeps.error_bars.run_with_bar import run_refined
 
         return run_refined(scene, threads, tell)
 
@@ -338,7 +338,7 @@ def sweep(
 
     scene     a scene, a file of one, the name of a packaged one, or a dictionary; where nothing varies, a sweep file
     vary      dotted keys with the values of each, all combinations; or the tables of a sweep file: grid, list (of
-              dictionaries), latin_hypercube, settings, fragility
+              dictionaries), latin_hypercube, settings, fragility, error_bars (how many of the runs are refined)
     out       folder of results, in which what is done of this sweep stays; without it the next results/SCENE-sweep-N
     workers   processes (default: all processors); 0: one run after the other in this process
     executor  a Dask client, the address of a Dask scheduler or an executor of concurrent.futures does the runs instead
@@ -379,6 +379,10 @@ def sweep(
         refused,
         form,
     )
+    if request.error_bars:
+        from masonry.sweeps.error_bars.sweep_bars import refining
+
+        running = refining(request, running)
     with telling_lines(called("progress", progress, True, False, None)) as tell:
         return run_sweep(request, name, running, tell, text)
 

@@ -173,7 +173,7 @@ def resume(folder: str | Path, threads: int | str | None = None) -> "Result":
     from masonry.laboratory.run_command import resume_in
     from masonry.runtime.processors import processors
     from masonry.runtime.shell import OK, STOPPED
-    from masonry.sweeps.convergence.run_with_bar import is_begun, refine
+    from masonry.sweeps.error_bars.run_with_bar import is_begun, refine
 
     place = arguments.path("folder", folder)
     code = resume_in(place, None if threads is None else arguments.threads(threads))

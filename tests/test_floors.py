@@ -38,6 +38,7 @@ FLOORS = (
         "masonry.sweeps",
         "masonry.sweeps.sensitivity",
         "masonry.sweeps.convergence",
+        "masonry.sweeps.error_bars",
         "masonry.shell_functions",
         "masonry",
     ),

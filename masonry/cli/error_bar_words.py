@@ -13,7 +13,7 @@ from masonry.runtime.shell import OK, complain, tell
 def run_with_bar(words: argparse.Namespace) -> int:
     """Run a scene, then refine it; returns the exit code. Raises SceneError."""
     from masonry.laboratory.run_command import run
-    from masonry.sweeps.convergence.run_with_bar import begin_refinement, forget
+    from masonry.sweeps.error_bars.run_with_bar import begin_refinement, forget
 
     workers = processors() if words.workers is None else words.workers
     if workers < 0:
@@ -44,7 +44,7 @@ def resume_with_bar(words: argparse.Namespace) -> int:
 
 
 def _refine(results: Path, workers: int, quiet: bool, is_new: bool) -> int:
-    from masonry.sweeps.convergence.run_with_bar import refine
+    from masonry.sweeps.error_bars.run_with_bar import refine
 
     if not quiet:
         print(flush=True)

@@ -35,6 +35,7 @@ class Report(Record):
     limited_by   what bounds the time step, in words, as all that follows but for steps, seconds and warnings
     steps, expected_seconds          about; seconds are of processor, without compiling
     steps_between, seconds_between   at least and at most; twice the same where all steps are known beforehand
+    error_bar    the command that refines the scene; empty where nothing can be refined
     """
 
     blocks: int
@@ -62,6 +63,7 @@ class Report(Record):
     left_out: list[str]
     compiled: list[str]
     warnings: list[str]
+    error_bar: str = ""
 
     def __repr__(self) -> str:
         return check_text(self)
@@ -98,6 +100,7 @@ def check_rows(report: Report) -> Rows:
         ("damping ratio", report.ratios),
         ("steps", [_steps_text(report)]),
         ("expected time", [_seconds_text(report)]),
+        ("error bar", list(filter(None, [report.error_bar]))),
         ("compiled in", report.compiled or ["nothing beyond contacts"]),
         ("not used", report.left_out or ["nothing"]),
         ("warnings", report.warnings or ["none"]),

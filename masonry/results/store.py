@@ -39,7 +39,7 @@ def save_numbers(result: ResultData, folder: Path) -> dict[str, Path]:
 
 def summary_json(summary: Summary) -> str:
     """Text of summary.json, of numbers that are all finite."""
-    return json.dumps(summary.as_table(), indent=2, allow_nan=False, default=_plain) + "\n"
+    return json.dumps(dict(summary), indent=2, allow_nan=False, default=_plain) + "\n"
 
 
 def save_fields(result: ResultData, folder: Path) -> None:

@@ -374,11 +374,6 @@ class Trust(Record):
 class Summary(Refined, Trust, WithElements, Movements, Damage, Rest, Energies, Forces, Extremes, Course, Description):
     """All of it; the fields of the last part come first."""
 
-    def as_table(self) -> dict[str, Any]:
-        """The keys that are written: those of `Refined` only where there is something."""
-        left_out = {entry.name for entry in fields(Refined) if getattr(self, entry.name) is None}
-        return {key: value for key, value in self.items() if key not in left_out}
-
 
 def _duration(seconds: float | None) -> str:
     return "not known" if seconds is None else duration(seconds)

@@ -13,8 +13,10 @@ if TYPE_CHECKING:
     from masonry.scene import Scene
 
 PARTS = ("list", "grid", "latin_hypercube")
-FRAGILITY, SCENE = "fragility", "scene.toml"
-WORDS = ("scene", "settings", *PARTS, FRAGILITY)
+FRAGILITY, REFINED_RUNS, SCENE = "fragility", "error_bars", "scene.toml"
+OF_RESULTS = (FRAGILITY, REFINED_RUNS)
+"""Words that ask something of the results, and change no run."""
+WORDS = ("scene", "settings", *PARTS, *OF_RESULTS)
 LARGEST = 10_000_000
 """Bytes of a sweep file."""
 
@@ -45,6 +47,11 @@ class Sweep:
     parts: dict[str, Any]
     raw: dict[str, Any]
     folder: Path = Path()
+
+    @property
+    def error_bars(self) -> int:
+        """How many of its runs are refined; 0 where it asks for no bars."""
+        return int(self.raw.get(REFINED_RUNS, 0))
 
     @property
     def keys_by_part(self) -> dict[str, list[str]]:
@@ -85,6 +92,9 @@ def sweep_of(raw: dict[str, Any], name: str, scene: "Scene | str | Path", folder
     for part in ("grid", "latin_hypercube"):
         if part in parts and not isinstance(parts[part], dict):
             raise SceneError(f"{name}: {part}: must be a table [{part}] of dotted keys")
+    number = raw.get(REFINED_RUNS, 1)
+    if not isinstance(number, int) or isinstance(number, bool) or number < 1:
+        raise SceneError(f"{name}: {REFINED_RUNS}: how many of the runs are refined, 1 or more, not {number!r:.60}")
     sweep = Sweep(name, scene, settings, parts, raw, folder)
     _each_key_once(sweep)
     return sweep

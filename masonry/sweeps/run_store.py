@@ -8,6 +8,7 @@ from geometry.files.atomic import WholeFiles, unfinished
 from geometry.operating_system import SYSTEM
 from masonry.errors import SceneError
 from masonry.judgement.judgement import judgement_of
+from masonry.results.records.convergence_record import NUMERICAL_ERROR
 from masonry.results.store import NUMBERS
 from masonry.results.summary import read_summary
 from masonry.runtime.folder import sweep_up, writing
@@ -17,8 +18,6 @@ from masonry.sweeps.work import MODES, OK, SHAPES, STATUSES, RunEnd
 
 Row = dict[str, Any]
 FAILURE = "failure.json"
-NUMERICAL_ERROR = "numerical_error"
-"""Key of summary.json of a run that was refined."""
 
 
 class Store:

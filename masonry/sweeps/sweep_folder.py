@@ -8,7 +8,7 @@ from masonry.runtime.folder import claim_for_many, scene_name
 from masonry.runtime.folders.own_files import LIST, RUNS, is_folder_of_runs
 from masonry.runtime.lock import LOCK
 from masonry.runtime.text_files import text_of
-from masonry.sweeps.read import FRAGILITY, LARGEST, SCENE, Sweep, read_toml
+from masonry.sweeps.read import LARGEST, OF_RESULTS, SCENE, Sweep, read_toml
 from masonry.sweeps.sweep_table import TABLE
 
 COPY = "sweep.toml"
@@ -55,7 +55,7 @@ def _holds(path: Path, text: str) -> bool:
 
 def differences(there: dict[str, Any], here: dict[str, Any]) -> list[str]:
     """Differences of the runs in two sweep files, a few words each; remarks and order are no difference."""
-    a, b = (dict(_leaves({key: value for key, value in raw.items() if key != FRAGILITY})) for raw in (there, here))
+    a, b = (dict(_leaves({key: value for key, value in raw.items() if key not in OF_RESULTS})) for raw in (there, here))
     return [
         f"{'.'.join(key)} is {_short(a.get(key))} there, {_short(b.get(key))} here"
         for key in dict.fromkeys([*a, *b])

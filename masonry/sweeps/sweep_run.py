@@ -1,7 +1,7 @@
 """A sweep from its tables to its table: planned, checked, run, written; and the result that a user holds."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +15,7 @@ from masonry.sweeps.planned_runs import Planned, plan
 from masonry.sweeps.read import FRAGILITY, SCENE, Sweep
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.sweep_folder import COPY, DOING, folder_for, scene_text
-from masonry.sweeps.sweep_table import table_of, verdicts_text
+from masonry.sweeps.sweep_table import bars_text, table_of, verdicts_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -103,6 +103,7 @@ class SweepResult:
         counts = Counter(row["status"] for row in self.outcomes)
         lines = [", ".join(f"{count} {status}" for status, count in counts.items())]
         lines += [verdicts_text(self.outcomes) or "no run has a verdict"]
+        lines += [bars] if (bars := bars_text(self.columns)) else []
         lines += [self.fragility.sentence] if self.fragility is not None else []
         return "\n".join([*lines, *(visible(f"{self.folder / name}") for name in self.files)])
 
@@ -121,6 +122,7 @@ class Running(NamedTuple):
     executor   what does the runs in their place: see `engine.run`
     refused    one of REFUSED
     form       of the pictures, one of FORMATS
+    refine     makes columns of error bars, of the folder, the runs planned, their rows, this and `tell`
     """
 
     out: Path | None = None
@@ -129,6 +131,7 @@ class Running(NamedTuple):
     executor: Any = None
     refused: str = "stop"
     form: str = FORMATS[0]
+    refine: Callable[..., dict[str, list[Any]]] | None = None
 
 
 def run_sweep(
@@ -210,6 +213,8 @@ def _run(
         _write_request(folder, sweep, text)
         rows = run_alone([run.job for run in planned], folder, running.workers, tell, running.executor)
         columns = table_of(planned, rows)
+        if running.refine is not None:
+            columns |= running.refine(folder, planned, rows, running, tell)
         pictures = [draw(folder, title, planned, rows, form), *draw_map(folder, title, planned, rows, form)]
         files = (*write_table(folder, columns), *pictures)
         fragility, more = _fragility(planned, rows, folder, title, request, form)

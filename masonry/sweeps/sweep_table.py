@@ -19,6 +19,8 @@ TABLE, PARQUET = "sweep.csv", "sweep.parquet"
 HOW = ("status", "verdict", "doubts", "warnings", "reason", "seconds")
 FIRST = ("peak_stress_pa", "displacement_at_peak_m", "final_stress_pa", "energy_imbalance", "reaction_mismatch_max")
 """The numbers that one looks at first; the others follow by name."""
+ERROR_BAR = "error_bar"
+"""The column that says how a run has come to its bars, where a sweep has some."""
 
 
 def swept(planned: Sequence[Planned]) -> list[dict[str, Any]]:
@@ -78,6 +80,18 @@ def verdicts_text(rows: Sequence[Row]) -> str:
     reasons = Counter(row["reason"] for row in rows if row.get("verdict") == STOPPED and row.get("reason"))
     why = [f"stopped, for one: {reason}" for reason, _ in reasons.most_common(1)]
     return "; ".join(filter(None, [", ".join(words), *most, *why]))
+
+
+def bars_text(columns: dict[str, list[Any]]) -> str:
+    """How many runs were refined, and the largest error of the first number that its bars allow; "" without bars."""
+    words = [word for word in columns.get(ERROR_BAR, ()) if word is not None]
+    name = next((name.removesuffix(" limit") for name in columns if name.endswith(" limit")), None)
+    if not words or name is None:
+        return ""
+    bars = zip(*(columns[key] for key in (name, f"{name} limit", f"{name} half_width")), strict=True)
+    errors = [(abs(value - limit) + half) / abs(value) for value, limit, half in bars if value and limit is not None]
+    largest = f"; {name} is off by up to {100 * max(errors):.2g} % (95 %)" if errors else ""
+    return f"error bars: {words.count('refined')} of {len(words)} runs are refined{largest}"
 
 
 def write_table(folder: Path, columns: dict[str, list[Any]]) -> tuple[str, ...]:

@@ -17,8 +17,9 @@ from masonry.reporting.run_report import write_report
 from masonry.results.records.convergence_record import LIMITS_OF_USE, RefinedNumber
 from masonry.results.summary import Summary
 from masonry.scene import load
-from masonry.sweeps.convergence import convergence, run_with_bar
-from masonry.sweeps.convergence.run_with_bar import begin_refinement, forget, is_begun, refine
+from masonry.sweeps.convergence import convergence
+from masonry.sweeps.error_bars import run_with_bar
+from masonry.sweeps.error_bars.run_with_bar import begin_refinement, forget, is_begun, refine
 from masonry.sweeps.run_store import Store
 from tests.convergence.samples import TIPPED
 

@@ -23,7 +23,7 @@ def resume_run(words: argparse.Namespace) -> int:
     """`masonry resume`."""
     from masonry.cli.error_bar_words import resume_with_bar
     from masonry.laboratory.run_command import resume
-    from masonry.sweeps.convergence.run_with_bar import is_begun
+    from masonry.sweeps.error_bars.run_with_bar import is_begun
 
     return resume_with_bar(words) if is_begun(words.folder) else resume(words)
 
@@ -31,10 +31,10 @@ def resume_run(words: argparse.Namespace) -> int:
 def check_scene(words: argparse.Namespace) -> int:
     """`masonry check`."""
     from masonry import scene
-    from masonry.laboratory import laboratory
     from masonry.laboratory.text import check_text
+    from masonry.sweeps.error_bars.check_line import checked
 
-    print(check_text(laboratory.check(scene.load(words.scene, words.overrides))))
+    print(check_text(checked(scene.load(words.scene, words.overrides))))
     return OK
 
 

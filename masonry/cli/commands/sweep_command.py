@@ -8,8 +8,8 @@ the same command goes on.
 from collections import Counter
 from pathlib import Path
 
+from masonry.cli.commands.study_words import unless_interrupted
 from masonry.errors import SceneError
-from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, Parser, add_format, complain, tell
 
@@ -51,12 +51,15 @@ def main(arguments: list[str] | None = None) -> int:
         print(listing(planned_of(sweep)[1]))
         return OK
     running = Running(words.out, words.overwrite, words.workers, words.scheduler, words.refused, words.format)
+    if sweep.error_bars:
+        from masonry.sweeps.error_bars.sweep_bars import refining
+
+        running = refining(sweep, running)
     text = words.sweep.read_text(encoding="utf-8-sig")
-    try:
-        result = run_sweep(sweep, str(words.sweep), running, None if words.quiet else tell, text)
-    except KeyboardInterrupt as ended:
-        tell(f"masonry: {word_of(ended)}; what is done stays, and the same command continues from there")
-        return code_of(ended)
+    heard = None if words.quiet else tell
+    result, code = unless_interrupted(lambda: run_sweep(sweep, str(words.sweep), running, heard, text))
+    if result is None:
+        return code
     if not words.quiet:
         print(result)
     if all(row["status"] != DONE for row in result.outcomes):

@@ -1,6 +1,6 @@
 """Numbers of summary.json that were refined without end: a record for each of them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import floor, log10
 
@@ -8,6 +8,8 @@ from masonry.rows.columns import GRAVITY
 from masonry.runtime.record import Record, one_of, table_of
 from masonry.runtime.tables import Rows
 
+NUMERICAL_ERROR = "numerical_error"
+"""The key of summary.json that holds them."""
 LIMITS_OF_USE = (
     "The bar is the error of resolution alone: contact points, pace, mesh, time step.",
     "What the model leaves out, and how well its values are known, is not in it.",
@@ -93,3 +95,9 @@ class Refined(Record):
     """How far numbers are from those without end; a key that runs alone have for which that was asked."""
 
     numerical_error: RefinedNumbers | None = one_of(RefinedNumbers)
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in super().__iter__() if name != NUMERICAL_ERROR or self.numerical_error is not None)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 from functools import partial
 from math import inf
 from pathlib import Path
+from typing import Any
 
 from masonry.assembly.growing_loads import require_axles_to_load
 from masonry.errors import SceneError
 from masonry.runtime.folder import writing
-from masonry.runtime.folders.own_files import RUNS, ResultFiles, remove_own
+from masonry.runtime.folders.own_files import ResultFiles, remove_own
 from masonry.runtime.lock import sole
 from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
@@ -20,7 +21,7 @@ from masonry.sweeps.convergence.analyses import RUN, analysis_of
 from masonry.sweeps.convergence.answers import require_answer
 from masonry.sweeps.convergence.campaign import Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
-from masonry.sweeps.convergence.error_record import record_of, write_record
+from masonry.sweeps.convergence.error_record import record_in_base
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
 from masonry.sweeps.convergence.resolutions import not_refined
 from masonry.sweeps.engine import run_alone
@@ -141,6 +142,7 @@ class Runner:
     of: Sequence[str]
     workers: int
     tell: Tell | None
+    executor: Any = None
 
     def measured(self, campaign: Campaign) -> tuple[list[NumericalError], list[tuple[Refinement, Row]]]:
         """The error of each number of a scene, and its runs in two rounds: each resolution alone, then what these say
@@ -162,7 +164,8 @@ class Runner:
     ) -> list[tuple[Refinement, Row]]:
         """base: the row of the scene as it is; the first of this round where there is none yet"""
         jobs = [campaign.analysis.job(campaign.scene, trial.settings, trial.label) for trial in trials]
-        rows = run_alone(jobs, self.folder, self.workers, self.tell, needs_first=base is None) if jobs else []
+        how = self.workers, self.tell, self.executor
+        rows = run_alone(jobs, self.folder, *how, needs_first=base is None) if jobs else []
         rows = campaign.analysis.measured(rows, base or rows[0], self.folder) if rows else []
         return list(zip(trials, rows, strict=False))  # of a scene that does not come to its end there is its own row
 
@@ -183,5 +186,4 @@ def _write(scene: Scene, result: Convergence, form: str) -> None:
                 write_picture(figure, files.new(f"{PICTURE}.{form}"))
             if result.chosen is not None:
                 files.text(FILE, result.chosen.as_toml(SCENE))
-        if result.has_come_to_its_end:
-            write_record(result.folder / RUNS / result.runs[0][1]["key"], record_of(result.errors, result.runs))
+        record_in_base(result.folder, result.errors, result.runs)

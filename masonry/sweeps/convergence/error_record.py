@@ -4,14 +4,15 @@ from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
 
-from masonry.results.records.convergence_record import RefinedNumber, RefinedNumbers
+from masonry.results.records.convergence_record import NUMERICAL_ERROR, RefinedNumber, RefinedNumbers
 from masonry.results.store import summary_json
 from masonry.results.summary import Summary, read_summary
 from masonry.runtime.folder import writing
-from masonry.runtime.folders.own_files import ResultFiles
+from masonry.runtime.folders.own_files import RUNS, ResultFiles
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
-from masonry.sweeps.run_store import NUMERICAL_ERROR
 from masonry.sweeps.work import OK
+
+SUMMARY = "summary.json"
 
 
 def record_of(errors: Sequence[NumericalError], runs: Ended) -> RefinedNumbers:
@@ -31,9 +32,15 @@ def record_of(errors: Sequence[NumericalError], runs: Ended) -> RefinedNumbers:
     return RefinedNumbers(numbers, refined)
 
 
+def record_in_base(folder: Path, errors: Sequence[NumericalError], runs: Ended) -> None:
+    """Have the run of the scene as it is, if it left a summary, hold its errors. Raises SceneError."""
+    base = folder / RUNS / runs[0][1]["key"]
+    if errors and runs[0][1]["status"] == OK and (base / SUMMARY).is_file():
+        write_record(base, record_of(errors, runs))
+
+
 def write_record(folder: Path, record: RefinedNumbers) -> None:
     """Put it into summary.json of a folder of results, and change nothing else there. Raises SceneError."""
-    path = folder / "summary.json"
     with writing(folder), ResultFiles(folder) as files:
-        summary = Summary.read(read_summary(path)) | {NUMERICAL_ERROR: record}
-        files.text(path.name, summary_json(summary))
+        summary = Summary.read(read_summary(folder / SUMMARY)) | {NUMERICAL_ERROR: record}
+        files.text(SUMMARY, summary_json(summary))

@@ -113,10 +113,10 @@ def run_refined(scene: "Scene", threads: int | str = 1, progress: "Progress | No
     """Result of a run with its bars, by processes side by side of which nothing stays. Raises as a run does; one that
     was interrupted has none."""
     from masonry.laboratory.laboratory import run
+    from masonry.results.records.convergence_record import NUMERICAL_ERROR
     from masonry.sweeps.convergence.convergence import converge
     from masonry.sweeps.convergence.error_record import record_of
     from masonry.sweeps.job import Job
-    from masonry.sweeps.run_store import NUMERICAL_ERROR
 
     require_refinable(scene)
     result = run(scene, threads, progress)

@@ -1,0 +1,24 @@
+"""The line of `masonry check` that names the command which refines a scene."""
+
+import masonry
+from masonry.sweeps.error_bars.check_line import error_bar_line
+from tests.convergence.samples import TIPPED
+
+
+def test_check_names_the_command_and_what_it_refines():
+    report = masonry.check(TIPPED)
+    assert report.error_bar == "masonry run --error-bar says how far its numbers are off by pace and contact points"
+    line = next(line for line in repr(report).splitlines() if line.startswith("error bar "))
+    assert line.split(maxsplit=2)[2] == report.error_bar
+
+
+def test_a_scene_that_no_run_takes_has_no_such_line():
+    """A vehicle without an accuracy: limit analysis alone."""
+    assert error_bar_line(masonry.load("bridge")) == ""
+    assert "error bar " not in repr(masonry.check("bridge"))
+
+
+def test_a_motion_is_refined_in_its_time_step_and_tets_in_their_size():
+    assert "time step and contact points" in error_bar_line(masonry.load("block-rocking"))
+    tets = masonry.load("couplet", {"kinematics": "tets", "specimen.mesh_size": "0.05 m"})
+    assert error_bar_line(tets).endswith("pace, contact points and size of tets")
