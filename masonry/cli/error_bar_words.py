@@ -39,7 +39,8 @@ def resume_with_bar(words: argparse.Namespace) -> int:
     from masonry.runtime.folder import CHECKPOINT
 
     is_new = (words.folder / CHECKPOINT / "scene.toml").is_file()
-    code = resume(words)
+    quiet = words.quiet or not is_new  # of a run that is done nothing need be said
+    code = resume(argparse.Namespace(**vars(words) | {"quiet": quiet}))
     return _refine(words.folder, processors(), words.quiet, is_new) if code == OK else code
 
 

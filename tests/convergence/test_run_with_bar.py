@@ -91,6 +91,19 @@ def test_a_bar_is_told_with_two_digits_and_the_number_with_as_many_decimals():
     assert "collapse_load.borne 0.6400 \u00b1 0.0033" in said  # no row of its own here
 
 
+def test_bars_of_gauges_of_a_motion_are_told_in_the_units_of_the_gauge():
+    swings = {
+        "top": {"quantity": "displacement"},
+        "base": {"quantity": "acceleration"},
+        "way": {"quantity": "velocity"},
+    }
+    keys = [f"shaking.gauges.{name}.peak" for name in swings]
+    numbers = {key: RefinedNumber(limit, 0.01 * limit) for key, limit in zip(keys, (0.02, 9.80665, 0.3), strict=True)}
+    said = summary_text(Summary.read({"shaking": {"gauges": swings}, "numerical_error": {"numbers": numbers}}))
+    for bar in ("20.00 \u00b1 0.20 mm at most", "1.000 \u00b1 0.010 g at most", "0.3000 \u00b1 0.0030 m/s at most"):
+        assert f"without end {bar}" in said
+
+
 def test_the_curve_has_the_bars_of_peak_and_end(place):
     result = masonry.load_result(place / "with")
     axes = curve_figure(result).axes[0]

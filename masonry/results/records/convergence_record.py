@@ -87,7 +87,7 @@ class RefinedNumbers(Record):
 
         rows = [(word, [*lines, *bars(word)]) for word, lines in rows if lines]
         others = [f"{key} {number.interval()}" for key, number in (self.numbers or {}).items() if key not in said]
-        return [*rows, ("without end", [*others, REFINED, *LIMITS_OF_USE])]
+        return [*rows, ("error bars", [REFINED, *LIMITS_OF_USE, *others])]
 
 
 @dataclass(frozen=True, eq=False)
