@@ -69,6 +69,18 @@ class Inspection:
         behind = self.look(self.peak + 1)
         return behind.inelastic.total > GAVE_WAY * behind.work.total
 
+    @cached_property
+    def plateau(self) -> list[int]:
+        """Numbers of the frames in which the force against a drive is that of the peak, to the accuracy; none without a
+        drive, and where it gives way to the force."""
+        if self.assembly.scene.drive is None or self.frames[self.peak].displacement == 0.0:
+            return []
+        rows = self.outcome.history.rows
+        row = np.searchsorted(rows["step"], [frame.step for frame in self.frames])
+        stress = rows["stress"][np.minimum(row, len(rows["stress"]) - 1)]
+        lowest = (1.0 - self.accuracy) * stress[self.peak]
+        return [int(k) for k in np.flatnonzero(stress >= lowest)] if lowest > 0.0 else []
+
     @property
     def accuracy(self) -> float:
         """The accuracy that the scene asks for, but no less than that of an estimate from joint faces."""

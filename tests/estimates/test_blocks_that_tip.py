@@ -4,6 +4,8 @@ import pytest
 
 from masonry.judgement.judgement import judgement_of
 from masonry.laboratory import laboratory
+from masonry.scene import load as packaged
+from tests.convergence.samples import TIPPED, borne
 from tests.scenes import box, listed, load, specimen, tables
 
 STRIPPED = {
@@ -38,3 +40,13 @@ def test_a_block_that_tips_says_by_how_much_its_points_are_off(stripped, directi
     said = [doubt.value for doubt in judgement_of(summary).doubts if doubt.name == "few_points"]
     assert said == ([pytest.approx(off, abs=0.008)] if said else []) and (said or abs(off) < 0.0175)
     assert bool(said) or (along == 10) or (stripped, rule) == ("dry", "vertex")
+
+
+@pytest.mark.parametrize(("rule", "along"), [("vertex", 2), ("vertex", 4), ("gauss", 3), ("gauss", 6)])
+def test_a_block_that_a_drive_tips_a_little_stands_on_a_strip_that_few_points_do_not_have(rule, along):
+    """Points at the edges bear at the edge; the strip has its resultant a third of its width within."""
+    scene = packaged(TIPPED).with_({"specimen.contact_points": rule, "specimen.points_per_edge": along})
+    summary = laboratory.run(scene).summary
+    off = summary["final_stress_pa"] / borne() - 1.0
+    (said,) = [doubt.value for doubt in judgement_of(summary).doubts if doubt.name == "few_points"]
+    assert said == pytest.approx(off, abs=0.002) and abs(off) > 0.03

@@ -208,7 +208,7 @@ def test_what_few_points_bear_in_bending_is_told(case: Case) -> None:
         if case.law == "dry":  # no points reach the corners that it turns about
             many = force * min((case.corners - joint.middle[:2]) @ along[:2])
         look = joint.look(force=np.array([force]), moment=own * along[None], turn=1e-4 * along[None])
-        one = bent(joint.assembly, joint.faces, look, 0, True, TURN, np.ones(2))
+        one = bent(joint.assembly, joint.faces, look, 0, True, (TURN, np.inf), np.ones(2))
         assert said_and_right(one.by(joint.joints.point, joint.joints.area), own / many), own / many
         assert said_and_right(one.carries, own / many)
 
@@ -261,5 +261,5 @@ def test_a_joint_that_closes_evenly_but_for_rounding_does_not_bend(law):
     closes = 1e6 / KN
     look = joint.look(force=np.array([-1e6 * joint.area]), turn=np.array([[1e-12, 0.0, 0.0]]))
     turns = np.array([1e-4, 1e-2]) * closes / np.ptp(joint.case.corners[:, 0])
-    few, some = (bent(joint.assembly, joint.faces, look, 0, True, turn, np.ones(2)) for turn in turns)
+    few, some = (bent(joint.assembly, joint.faces, look, 0, True, (turn, np.inf), np.ones(2)) for turn in turns)
     assert few is None and some is not None

@@ -8,6 +8,8 @@ STRIPS = 32
 """That stand for a stress spread over the area."""
 NARROW = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, STRIPS + 1))
 """Where strips begin and end, over the depth: narrow at the edges, where a section tears and presses first."""
+NARROWER = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 4 * STRIPS + 1))
+"""The same of a section that bears on a strip beside its edge."""
 ALIKE = 1e-6
 """Of the depth of a section: fibres nearer to each other are one."""
 

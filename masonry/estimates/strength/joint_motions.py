@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from geometry.joints.faces.strips import Section, depth_of, of_points, spread
+from geometry.joints.faces.strips import NARROW, NARROWER, Section, depth_of, of_points, spread
 from geometry.joints.point_density import Density
 from masonry.assembly.assemble import Assembly
 from masonry.estimates.bearing_points import points_of
@@ -50,10 +50,13 @@ class Borne(NamedTuple):
 
 
 def bent(
-    assembly: Assembly, faces: Faces, now: Look, face: int, gave: bool, turn: float, shares: np.ndarray
+    assembly: Assembly, faces: Faces, now: Look, face: int, gave: bool, turns: tuple[float, float], shares: np.ndarray
 ) -> Borne | None:
-    """A joint face that bends at the peak, up to its largest turn (rad); None where it never turned, or neither gave
-    way nor bears more than its elastic moment."""
+    """A joint face that bends at the peak; None where it never turned, or neither gave way nor bears more than its
+    elastic moment.
+
+    turns  rad, its largest one, up to which it is asked, and that up to which it is asked where it is dry
+    """
     length = float(np.linalg.norm(now.turn[face]))
     force = float(now.force[face])
     parameters, joint = law_of(assembly, faces, face)
@@ -64,15 +67,18 @@ def bent(
     along = now.turn[face] / length
     corners, moment = corners_of(faces, face), abs(float(now.moment[face] @ along))
     depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
-    closes = -force / (faces.stiffness[face] * faces.area[face])
+    closes, turn = -force / (faces.stiffness[face] * faces.area[face]), turns[0]
     if turn * depth <= TURNED * max(tears_at, closes) or (
         not gave and moment < LEAST_ARM * depth * (limit * faces.area[face] - force)
     ):
         return None
-    many = spread(faces.polygons[face], along, np.cross(normal, along), middle)
-    if limit == 0.0 and joint.compressive_strength is None:  # it turns about its very edge
+    cuts = NARROW
+    if limit == 0.0 and joint.compressive_strength is None:
+        turn, cuts = turns[1] if gave else np.inf, NARROWER
+    many = spread(faces.polygons[face], along, np.cross(normal, along), middle, cuts)
+    if np.isinf(turn):  # it turns about its very edge
         many = of_points((corners - middle) @ along, np.ones(len(corners)))
-    if not gave:
+    elif not gave:
         turn = max(turn, FURTHER * tears_at / many.depth)
     law = envelope(parameters, joint, 2.0 * turn * many.depth)
     bears = strength(many, law, force, moment, turn)

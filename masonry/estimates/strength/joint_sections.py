@@ -95,7 +95,8 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
     """N m: the largest moment that a section bears, up to a turn (rad), while it carries a normal force (N).
 
     A pressure stays as it is while the moment grows. A tension grows with the moment, on the same line of action. What
-    crushes is turned as far as it takes, and what has no tension and does not crush turns about its edge.
+    crushes is turned as far as it takes; what has no tension and does not crush, and is turned without end, turns about
+    its edge.
     """
     first, last = _looked_at(section, law, force, farthest)
     if np.isinf(last):
@@ -125,7 +126,7 @@ def moments(
 def _looked_at(section: Section, law: Envelope, force: float, farthest: float) -> tuple[float, float]:
     """rad: the turns between which the largest moment lies; infinite where a section turns about its edge."""
     presses = max(-force, 0.0) / (law.stiffness * float(section.area.sum()))
-    if law.limit == 0.0 and (presses == 0.0 or np.isinf(law.crushes[1])):
+    if law.limit == 0.0 and (presses == 0.0 or (np.isinf(law.crushes[1]) and np.isinf(farthest))):
         return np.inf, np.inf
     first = ELASTIC * (law.limit or presses) / section.depth
     last = max(farthest, 2.0 * first / ELASTIC)

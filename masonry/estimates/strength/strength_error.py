@@ -56,7 +56,11 @@ def strength_error(inspection: Inspection) -> StrengthError | None:
 
 
 def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
-    """The joints that may matter, each in one way: that gave way, or whose load only few points can bear."""
+    """The joints that may matter, each in one way: that gave way, or whose load only few points can bear.
+
+    What is dry bears the more the further it turns. Any joint may turn as far as the one that turns most while a drive
+    stays at its peak, and without end under a load that grows.
+    """
     frames, assembly = inspection.frames, inspection.assembly
     if not frames or not (
         inspection.is_for_strength or inspection.faces.glued.any() or frames[-1].crushing is not None
@@ -70,9 +74,11 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     bends, slides = _shares(gave, now, looks[behind])
     if not (np.isfinite(bends).all() and np.isfinite(slides).all() and np.isfinite(turn).all()):
         return []
+    turns = [float(np.linalg.norm(looks[number].turn, axis=1).max()) for number in inspection.plateau]
+    farthest = max(turns, default=np.inf)
     matter: list[tuple[int, Borne]] = []
     for face in _largest(bends):
-        one = bent(assembly, faces, now, face, bool(gave[face]), turn[face], bends[face])
+        one = bent(assembly, faces, now, face, bool(gave[face]), (turn[face], farthest), bends[face])
         matter += [] if one is None else [(face, one)]
     for face in _largest(slides):
         one = slid(assembly, faces, now, inspection.shear(peak), frames[peak], face, slides[face])
