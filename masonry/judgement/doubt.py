@@ -51,7 +51,7 @@ class Criterion(NamedTuple):
     sentence  with {value}, {limit} and {percent} (the value in per cent), or a function of evidence and value
     advice    what to do about it
     asked_of  whether a run is asked at all
-    unknown   the sentence where it was not measured; "" where that is no doubt
+    unknown   the sentence where it was not measured, or a function of evidence; "" where that is no doubt
     verdict   to which the doubt leads
     """
 
@@ -61,7 +61,7 @@ class Criterion(NamedTuple):
     limit: float | Callable[[Evidence], float | None] | None = None
     advice: str | Callable[[Evidence], str] = ""
     asked_of: Callable[[Evidence], bool] = lambda evidence: True
-    unknown: str = ""
+    unknown: str | Callable[[Evidence], str] = ""
     verdict: str = WITH_CARE
 
     def doubt(self, evidence: Evidence) -> Doubt | None:
@@ -70,7 +70,8 @@ class Criterion(NamedTuple):
             return None
         value = self.measure(evidence)
         if value is None:
-            return Doubt(self.name, None, None, self.unknown) if self.unknown else None
+            words = self.unknown(evidence) if callable(self.unknown) else self.unknown
+            return Doubt(self.name, None, None, words) if words else None
         limit = self.limit(evidence) if callable(self.limit) else self.limit
         if not value > (limit or 0.0):
             return None

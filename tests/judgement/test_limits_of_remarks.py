@@ -289,9 +289,10 @@ def test_a_time_step_above_its_proven_bound_is_told(share, told):
 @pytest.mark.parametrize(("share", "told"), EITHER_SIDE)
 def test_steps_that_are_long_beside_the_swings_of_earthquakes_are_told(share, told):
     model = SimpleNamespace(dt=sqrt(24.0 * 0.01 * share) / (50.0 * np.pi))
-    for ground in ((), ("one",)):
-        lines = coarse_shaking.doubts(SimpleNamespace(scene=SimpleNamespace(ground=ground), model=model))
-        assert said(lines, "make a swing of 25 Hz too fast by 1 %") == (told and bool(ground))
+    for ground, is_large in (((), True), (("one",), False), (("one",), True)):
+        scene = SimpleNamespace(ground=ground, is_large=is_large)
+        lines = coarse_shaking.doubts(SimpleNamespace(scene=scene, model=model))
+        assert said(lines, "make a swing of 25 Hz too fast by 1 %") == (told and bool(ground) and is_large)
 
 
 @pytest.mark.parametrize(("peak", "told"), [(0.99e-3, 1), (1.01e-3, 0), (4.95, 0), (5.05, 1)])

@@ -255,7 +255,7 @@ def test_a_run_that_ends_at_once_as_its_one_joint_is_a_hinge_says_so():
     bed = walls()["block, brittle mortar"]
     with pytest.raises(Stopped) as stopped:
         laboratory.run(scene_runs.load(bed.scene, bed.with_points("gauss", 1)))
-    assert names(stopped.value.result.summary) & {"hinges", "free_hinges"}
+    assert "hinges" in names(stopped.value.result.summary)
 
 
 @pytest.mark.parametrize("drive", [{}, {"drive.direction": "z", "confinement": "0 MPa"}])

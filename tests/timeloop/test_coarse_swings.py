@@ -53,6 +53,15 @@ def test_how_much_too_wide_swings_are_is_told_and_nothing_else_is_asked_of_a_fre
     assert in_a_step == pytest.approx((result.summary["time_step_s"] * frequency()) ** 2, rel=0.05)
 
 
+@pytest.mark.parametrize(("fraction", "told"), [(0.8, True), (0.05, False)])
+def test_coarse_steps_are_told_by_the_swings_of_what_the_ground_shakes(fraction, told):
+    """At 0.8 of the bound the steps would make a swing of 25 Hz too fast by 5 %."""
+    shaken = {"ground": {"z": "0.1 g * sin(2 pi t / 0.04 s)", "duration": "1 s"}, "motion": []}
+    result = laboratory.run(load(SCENE, solver__step_fraction=fraction).with_(shaken))
+    coarse = [doubt.name for doubt in result.doubts if doubt.name.startswith("coarse")]
+    assert coarse == ["coarse_swings"] * told
+
+
 def test_a_coarse_swing_is_told_beside_a_fast_glide():
     glide = {"support.1.fix": ["y", "rotation"], "contact.unit_unit.shear_stiffness": "0 Pa/m"}
     motion = [{"on": "b", "velocity": ["0.1 m/s", "0 m/s", "0.01 m/s"]}]

@@ -14,7 +14,7 @@ def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]
     `edge_reach.py` says so."""
     return [
         Doubt(
-            "free_hinges",
+            "hinges",
             None,
             None,
             f"contact.{name}: {number} joint{'s have' if number > 1 else ' has'} one row of contact points, and bear"

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from masonry.judgement.doubts.motion.kinetic_energy import LIMIT as KINETIC
+from masonry.judgement.doubts.motion.not_quasi_static import KINETIC
 from masonry.laboratory.result import Result
 from masonry.pictures.style import MEGA, MILLI
 from verification.html import page
