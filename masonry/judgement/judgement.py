@@ -57,6 +57,6 @@ def _read(summary: Mapping[str, Any]) -> Judgement | None:
         any(map(math.isnan, numbers))  # a TypeError, where one is no number
     except (KeyError, TypeError):
         return None
-    words = all(isinstance(word, str) for doubt in doubts for word in (doubt.name, doubt.sentence, doubt.advice))
+    words = all(isinstance(word, str) for doubt in doubts for word in (doubt.name, *doubt[3:]))
     fits = judgement.verdict in VERDICTS and (judgement.verdict == SOUND) == (not doubts)
     return judgement if words and fits else None

@@ -8,6 +8,7 @@ from masonry.judgement.evidence import Evidence
 from masonry.judgement.judgement import judgement_of
 from masonry.judgement.words import percent
 
+CONVERGE = "`masonry converge` measures the error of resolution, of any number"
 MOST = 3
 """Doubts in a sentence; `doubts` of summary.json has all of them."""
 
@@ -24,8 +25,10 @@ def trust(summary: Mapping[str, Any]) -> str:
 
 
 def advice(summary: Mapping[str, Any]) -> list[str]:
-    """Advice on all doubts, the largest first, each once."""
-    return list(dict.fromkeys(doubt.advice for doubt in judgement_of(summary).doubts if doubt.advice))
+    """Advice on all doubts, the largest first, each once; and what measures the error that some of them tell."""
+    doubts = judgement_of(summary).doubts
+    measured = [CONVERGE] if any(doubt.resolution for doubt in doubts) else []
+    return [*dict.fromkeys(doubt.advice for doubt in doubts if doubt.advice), *measured]
 
 
 def motion(evidence: Evidence) -> str:

@@ -11,7 +11,7 @@ import pytest
 from masonry.judgement.catalogue import criteria
 from masonry.judgement.doubt import Doubt
 from masonry.judgement.judgement import judge, judgement_of
-from masonry.judgement.sentence import advice, trust
+from masonry.judgement.sentence import CONVERGE, advice, trust
 from tests.judgement.summaries import AT_REST, DRIVEN, GROWN, LED, LOOPS, REAL_TIME, SHAKEN, with_numbers
 
 LIMITS = [
@@ -239,9 +239,9 @@ def test_all_that_shows_a_fast_test_is_one_doubt_and_the_furthest_beyond_its_lim
     doubt = only_doubt(with_numbers(DRIVEN, damping_over_external=0.019, **numbers))
     assert (doubt.name, doubt.value, doubt.limit) == ("not_quasi_static", 0.3, 0.05)
     assert doubt.sentence == (
-        "not quasi-static: the kinetic energy reaches 0.3 of the internal energy (should be under 0.05), and damping took"
-        " 3 % of the force at the peak, which may be too high by as much, and the forces at drive and support differ by"
-        " 0.04 of the peak (should be under 0.02)"
+        "not quasi-static: the kinetic energy reaches 0.3 of the internal energy (should be under 0.05), and damping "
+        "took 3 % of the force at the peak, which may be too high by as much, and the forces at drive and support "
+        "differ by 0.04 of the peak (should be under 0.02)"
     )
     lacks = only_doubt(with_numbers(DRIVEN, reaction_mismatch_max=None, kinetic_over_internal_max=0.3))
     assert lacks.value == 0.3, "what is not known hides nothing"
@@ -251,7 +251,8 @@ def test_what_is_told_to_do_is_told_once():
     summary = with_numbers(DRIVEN, reaction_mismatch_max=0.1)
     (doubt,) = judge(summary).doubts
     summary |= judge(summary, [doubt._replace(name="another")]).as_keys()
-    assert advice(summary) == ["load more slowly: ask for a smaller accuracy, or lower the rate"]
+    assert advice(summary) == ["load more slowly: ask for a smaller accuracy, or lower the rate", CONVERGE]
+    assert CONVERGE not in advice(with_numbers(DRIVEN, overlap_max=0.1)), "no matter of resolution"
     assert not any(words in trust(summary) for words in advice(summary))
 
 
@@ -267,7 +268,7 @@ def test_a_summary_keeps_its_judgement_and_an_older_one_is_judged_when_it_is_rea
     doubts = [doubt.name for doubt in judgement_of(summary).doubts]
     assert doubts == ["warning", "overlap"]
     kept = json.loads(json.dumps(summary | judge(summary).as_keys()))
-    assert kept["doubts"][0].keys() == {"name", "value", "limit", "sentence", "advice"}
+    assert kept["doubts"][0].keys() == {"name", "value", "limit", "sentence", "advice", "resolution"}
     assert judgement_of(kept) == judge(summary)
 
 

@@ -4,7 +4,7 @@ there, over the peak.
 The limit is the accuracy that the drive was asked for; 1 % where none was, as is usually asked of a run.
 """
 
-from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubt import PACE, Criterion
 from masonry.judgement.doubts.peak_passed import LIMIT, has_strength
 
 MORE = "take more of drive.steps in place of drive.accuracy"
@@ -18,4 +18,5 @@ PEAK_BETWEEN_STEPS = Criterion(
     "between two of them",
     advice=lambda evidence: MORE if evidence.table("control") else "take more steps, or give drive.accuracy",
     asked_of=lambda evidence: evidence.number("missed_between_steps") is not None and has_strength(evidence),
+    resolution=PACE,
 )

@@ -4,12 +4,13 @@ import numpy as np
 
 from masonry.assembly.assemble import Assembly
 from masonry.estimates.joint_faces import Faces, dry_groups
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 
 REACH = 0.9
 """Share of the way from the middle of a joint to the edge about which it turns: contact points that reach less far
 leave a lever arm that is too short, by which a block rocks too early."""
 
+AT_EDGES = 'take specimen.contact_points = "vertex"'
 MORE = "take specimen.points_per_edge = 6 or more, as an edge that may crush needs points beside it too"
 
 
@@ -28,7 +29,5 @@ def rocking(assembly: Assembly, faces: Faces, reach: np.ndarray, what: str) -> l
             f"{least:.2g} of the way from the middle to the edge"
         )
         crushes = assembly.scene.contact_of(name).crushing is not None
-        raised.append(
-            Doubt("rocking", least, REACH, sentence, MORE if crushes else 'take specimen.contact_points = "vertex"')
-        )
+        raised.append(Doubt("rocking", least, REACH, sentence, MORE if crushes else AT_EDGES, POINTS))
     return raised

@@ -3,7 +3,7 @@
 from masonry.assembly.assemble import Assembly
 from masonry.estimates.hinged_joints import Hinges, free_to_turn
 from masonry.estimates.joint_faces import Faces
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 
 ENOUGH = 4
 """Points along an edge that are proposed; a run with them says whether these do."""
@@ -20,6 +20,7 @@ def free_hinges(assembly: Assembly, faces: Faces, hinges: Hinges) -> list[Doubt]
             f"contact.{name}: {number} joint{'s have' if number > 1 else ' has'} one row of contact points, and bear"
             f"{'s' if number == 1 else ''} no moment where blocks turn about it",
             more_points(assembly),
+            POINTS,
         )
         for name, number in zip(assembly.model.group_names, free_to_turn(assembly, faces, hinges), strict=True)
         if number

@@ -3,7 +3,7 @@ are too fast by a third of that. Asked of motions in real time in small displace
 all there is to bound the step; not of what rests under dead loads.
 """
 
-from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubt import TIME_STEP, Criterion
 from masonry.judgement.words import percent
 
 LIMIT = 0.01
@@ -18,4 +18,5 @@ COARSE_SWINGS = Criterion(
     ),
     advice="lower solver.step_fraction",
     asked_of=lambda evidence: evidence.number("swing_too_wide") is not None,
+    resolution=TIME_STEP,
 )

@@ -3,9 +3,9 @@ furthest beyond counts. Random scenes that were driven too fast went beyond seve
 
 - The stress is read at the drive: it is uncertain by what the other end reads otherwise. A test is read to 1 or 2 %.
 - 5 to 10 % of kinetic energy is the usual limit of quasi-static analyses by explicit integration; the lower one counts.
-- What damping takes, without what sudden cracks released, the force of the drive has to bring up: 2 % of the work is 2 %
-  of the force. It adds energy where it pulls along what lags behind the drive; kinetic energy counts with it, which a
-  slow run has little of, so that 1 % is more than a slow run has.
+- What damping takes, without what sudden cracks released, the force of the drive has to bring up: 2 % of the work is
+  2 % of the force. It adds energy where it pulls along what lags behind the drive; kinetic energy counts with it, which
+  a slow run has little of, so that 1 % is more than a slow run has.
 - By what damping takes of the force at the peak, and of dry contacts by what was not borne steadily, the peak is too
   high: the accuracy that the drive was asked for.
 """
@@ -13,7 +13,7 @@ furthest beyond counts. Random scenes that were driven too fast went beyond seve
 from collections.abc import Callable
 from typing import NamedTuple
 
-from masonry.judgement.doubt import Criterion
+from masonry.judgement.doubt import PACE, Criterion
 from masonry.judgement.doubts.motion.quasi_static import acts_slowly, slower
 from masonry.judgement.evidence import Evidence
 from masonry.judgement.words import percent
@@ -120,4 +120,5 @@ NOT_QUASI_STATIC = Criterion(
     advice=lambda evidence: signs(evidence)[0][0].advice(evidence),
     asked_of=lambda evidence: any(sign.asked_of(evidence) for sign in SIGNS),
     unknown=lambda evidence: "; ".join(filter(None, unknown(evidence))),
+    resolution=PACE,
 )

@@ -12,7 +12,7 @@ from geometry.blocks import TetMesh
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.meshes.stress_error import LOCK, finer
 from masonry.estimates.meshes.tet_energy import excess_energies, friction_decides
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import TETS, Doubt
 from masonry.scene.tables.specimen import Specimen
 
 LEAST, OF_BLOCK = 0.05, 0.2
@@ -41,4 +41,4 @@ def _doubt(specimen: Specimen, mesh: TetMesh, error: np.ndarray, ratio: float, l
     about = "at least" if specimen.mesh == "fan" else "about"  # one layer of tets shows little of what it lacks
     sentence = f"{words} deforms {about} {100.0 * min(ratio, 0.99):.2g} % too little under its loads, {LOCK}"
     advice = finer(mesh, error, ratio, limit, specimen.mesh, specimen.mesh_size)
-    return Doubt("coarse_mesh", ratio, limit, sentence, advice)
+    return Doubt("coarse_mesh", ratio, limit, sentence, advice, TETS)

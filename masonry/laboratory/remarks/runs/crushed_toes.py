@@ -7,7 +7,7 @@ six is told so whatever happened. What few points make of joints whose edge crus
 
 from masonry.assembly.contact_pairs import points_along
 from masonry.estimates.inspection import Inspection
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 
 FEWEST = 6
 """Points along an edge of a patch that may crush."""
@@ -26,4 +26,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         "and what it bears may be off by a third"
     )
     advice = "take specimen.patch_points_per_edge = 10, the default"
-    return [Doubt("crushed_toes", 1.0 / along, 1.0 / FEWEST, sentence, advice)]
+    return [Doubt("crushed_toes", 1.0 / along, 1.0 / FEWEST, sentence, advice, POINTS)]

@@ -7,7 +7,7 @@ import numpy as np
 
 from masonry.estimates.crushed_edges import crushing_error
 from masonry.estimates.inspection import Inspection
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.rows.columns import CRUSHING, FACTOR
 
 OFF = 0.03
@@ -33,4 +33,5 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         f"give or take {100 * off * work / energy:.2g} %, or {100 * off:.2g} % of the external work"
     )
     key = "specimen.patch_points_per_edge" if scene.is_large else "specimen.points_per_edge along edges that bend"
-    return [Doubt("crushing_energy", off, OFF, sentence, f"take more {key}: twice as many halve the error")]
+    advice = f"take more {key}: twice as many halve the error"
+    return [Doubt("crushing_energy", off, OFF, sentence, advice, POINTS)]

@@ -6,7 +6,7 @@ The limit is the accuracy that the scene asks for, but no less than the 1.5 % of
 
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.strength.strength_error import bears_on_nodes, enough_points, strength_error
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.bending_points import ON_NODES
 
 TWICE = 1.5
@@ -25,7 +25,7 @@ def doubts(inspection: Inspection) -> list[Doubt]:
     )
     meshed = bears_on_nodes(inspection, error)
     advice = ON_NODES if meshed else f"take {enough_points(inspection, error.bearing, limit)}"
-    return [Doubt("few_points", error.ratio - 1.0, limit, sentence, advice)]
+    return [Doubt("few_points", error.ratio - 1.0, limit, sentence, advice, POINTS)]
 
 
 def size_of(ratio: float) -> str:

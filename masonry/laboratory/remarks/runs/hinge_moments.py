@@ -7,7 +7,7 @@ shows no more than that they may turn.
 
 from masonry.estimates.hinged_joints import hinges_of, lacking_moments
 from masonry.estimates.inspection import Inspection
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.hinges import free_hinges, more_points
 
 MOST_OF_IT = 0.95
@@ -28,4 +28,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         "joints with one row of contact points turned about it and bear no moment there, as a hinge: the "
         f"{inspection.strength} may be {much}"
     )
-    return [Doubt("hinges", share, limit, sentence, more_points(assembly))]
+    return [Doubt("hinges", share, limit, sentence, more_points(assembly), POINTS)]

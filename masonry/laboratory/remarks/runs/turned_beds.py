@@ -9,7 +9,7 @@ import numpy as np
 
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.turns_on_beds import turns_and_slides
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.bending_points import SPREAD, points_are_chosen
 from masonry.monitors.collapse import Fallen
 
@@ -35,4 +35,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         f"blocks turned on their beds: these turns are about {100 * share:.0f} % of all sliding, and contact points at "
         "the corners alone resist them by up to 1.85 times what an even pressure does"
     )
-    return [Doubt("turned_beds", share, MATTERS, sentence, SPREAD)]
+    return [Doubt("turned_beds", share, MATTERS, sentence, SPREAD, POINTS)]

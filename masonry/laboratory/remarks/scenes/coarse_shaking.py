@@ -8,7 +8,7 @@ Asked in large displacement. A run in small displacement measures how fast it sw
 from math import pi
 
 from masonry.assembly.assemble import Assembly
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import TIME_STEP, Doubt
 
 FASTEST = 25.0
 """Hz, up to which earthquakes shake."""
@@ -21,4 +21,4 @@ def doubts(assembly: Assembly) -> list[Doubt]:
     if not (assembly.scene.ground and assembly.scene.is_large) or share <= LIMIT:
         return []
     sentence = f"steps of {assembly.model.dt:.3g} s make a swing of {FASTEST:g} Hz too fast by {100.0 * share:.2g} %"
-    return [Doubt("coarse_shaking", share, LIMIT, sentence, "lower solver.step_fraction")]
+    return [Doubt("coarse_shaking", share, LIMIT, sentence, "lower solver.step_fraction", TIME_STEP)]

@@ -10,7 +10,7 @@ ten times as long as a run with them does.
 
 from masonry.estimates.closed_joints import corner_friction, may_turn_otherwise, strength_decides
 from masonry.estimates.inspection import Inspection
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.bending_points import advice_for
 
 CORNERS, RUBS, TWISTS = 0.02, 0.1, 1e-3
@@ -31,4 +31,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         "joints slide and twist on contact points at their corners alone, and which of these press follows from joints "
         f"that turn three times too stiffly: the {inspection.strength} may be about {100.0 * CORNERS:g} % off"
     )
-    return [Doubt("closed_joints", CORNERS, inspection.accuracy, sentence, advice_for(inspection.assembly))]
+    return [Doubt("closed_joints", CORNERS, inspection.accuracy, sentence, advice_for(inspection.assembly), POINTS)]

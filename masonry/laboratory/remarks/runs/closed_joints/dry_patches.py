@@ -8,7 +8,7 @@ import numpy as np
 
 from masonry.estimates.inspection import Inspection
 from masonry.estimates.joint_faces import dry_groups
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.bending_points import SPREAD, points_are_chosen
 from masonry.monitors.stability import smallest_block
 
@@ -28,4 +28,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         "no block moved by more than a thousandth of its size, so that dry joints decide that stay closed: with points "
         "at their corners alone they bend three times as stiffly as an even pressure does"
     )
-    return [Doubt("closed_joints", None, None, sentence, SPREAD)]
+    return [Doubt("closed_joints", None, None, sentence, SPREAD, POINTS)]

@@ -8,7 +8,7 @@ and joints gave way, few_points asks what these bear, and corner_friction what r
 from masonry.estimates.closed_joints import may_turn_otherwise, movement_error, strength_decides
 from masonry.estimates.elastic_joints import bend_or_twist
 from masonry.estimates.inspection import Inspection
-from masonry.judgement.doubt import Doubt
+from masonry.judgement.doubt import POINTS, Doubt
 from masonry.laboratory.remarks.bending_points import advice_for
 from masonry.laboratory.remarks.runs.closed_joints import dry_patches
 
@@ -26,4 +26,4 @@ def doubts(inspection: Inspection) -> list[Doubt]:
         f"joints that stay closed {bend_or_twist(error)}: movements may be about {100.0 * abs(error):.2g} % too "
         f"{'small' if error > 0.0 else 'large'}, and what is shared out by stiffness is off as well"
     )
-    return [Doubt("closed_joints", error, limit, sentence, advice_for(inspection.assembly))]
+    return [Doubt("closed_joints", error, limit, sentence, advice_for(inspection.assembly), POINTS)]
