@@ -24,12 +24,14 @@ def draw_road(
     axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera, moves: Moves | None = None
 ) -> None:
     """Fill, road and vehicle of a scene, where it has them; a vehicle that travels stands in the middle of its way."""
+    moves = moves or (lambda block, points: np.zeros_like(points))
+    surface = [np.zeros((0, 2))]
     for fill in scene.fill:
         chosen = select(specimen, joints, fill.on, "fill")[0]
         faces = open_faces(specimen.blocks, joints, chosen, "fill")
-        _draw_earth(axes, specimen, faces, fill.level, camera, moves)
+        surface.append(_draw_earth(axes, specimen, faces, fill.level, camera, moves))
     if scene.vehicle is not None:
-        _draw_vehicle(axes, scene, specimen, joints, camera)
+        _draw_vehicle(axes, scene, specimen, joints, camera, np.concatenate(surface))
 
 
 def road_keys(scene: Scene) -> list[tuple[str, str]]:
@@ -47,27 +49,33 @@ def road_keys(scene: Scene) -> list[tuple[str, str]]:
 
 
 def _draw_earth(
-    axes: Any, specimen: Specimen, faces: np.ndarray, level: float, camera: Camera, moves: Moves | None
-) -> None:
-    """Columns above faces, as a strip on the far side."""
+    axes: Any, specimen: Specimen, faces: np.ndarray, level: float, camera: Camera, moves: Moves
+) -> np.ndarray:
+    """Columns above faces, as a strip on the far side, each moving with the block below it; returns the line through
+    the middles of their tops (n, 2), x and z in m, from left to right."""
     from matplotlib.collections import PolyCollection
 
     blocks, y = specimen.blocks, far_side(specimen, camera)
     corners, count = (array[faces] for array in pad(blocks.points, blocks.face_start, blocks.face_points))
-    if moves is not None:
-        owner = np.repeat(blocks.face_block()[faces], corners.shape[1])
-        corners = corners + moves(owner, corners.reshape(-1, 3)).reshape(corners.shape)
-    strips = []
-    for polygon, number in zip(corners, count.tolist(), strict=True):
+    strips, tops = [], []
+    for polygon, number, block in zip(corners, count.tolist(), blocks.face_block()[faces].tolist(), strict=True):
         x, z = polygon[:number, 0], polygon[:number, 2]
         left, right = x.min(), x.max()
         ends = [(at, min(z[np.isclose(x, at)].max(), level)) for at in (left, right)]
-        outline = [ends[0], ends[1], (right, level), (left, level)]
-        strips.append(camera.project(np.array([[a, y, b] for a, b in outline])))
+        outline = np.array([[a, y, b] for a, b in [*ends, (right, level), (left, level)]])
+        outline = outline + moves(np.full(len(outline), block), outline)
+        outline[:, 1] = y
+        strips.append(camera.project(outline))
+        tops.append(outline[[3, 2]][:, [0, 2]])
     axes.add_collection(PolyCollection(strips, facecolors=EARTH, edgecolors=EARTH, linewidths=0.8, zorder=0.4))
+    tops.sort(key=lambda top: float(top[:, 0].sum()))
+    return np.array([tops[0][0], *(top.mean(axis=0) for top in tops), tops[-1][1]])
 
 
-def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera) -> None:
+def _draw_vehicle(
+    axes: Any, scene: Scene, specimen: Specimen, joints: Joints, camera: Camera, surface: np.ndarray
+) -> None:
+    """Road and axles on the surface (n, 2) of the earth, x and z in m; without any, at the level of the road."""
     from matplotlib.collections import PolyCollection
 
     vehicle, bed, y = scene.vehicle, bed_of(scene, specimen, joints), far_side(specimen, camera)
@@ -81,14 +89,14 @@ def _draw_vehicle(axes: Any, scene: Scene, specimen: Specimen, joints: Joints, c
     places = vehicle.places(middle, vehicle.directions[0])
     shares = bed.shares(vehicle, middle, vehicle.directions[0])
     ends = min(bed.low, *places) - 0.5 * vehicle.patch, max(bed.high, *places) + 0.5 * vehicle.patch
-    draw_road_line(axes, ends, level, specimen, camera)
+    rises = lambda x: float(np.interp(x, *surface.T)) if len(surface) else level  # noqa: E731
+    draw_road_line(axes, [*sorted({*ends, *surface[:, 0].tolist()})], rises, specimen, camera)
     spreads = []
     colours = [AXLE if share > 0.0 else BESIDE for share in shares]
     for load, x, colour in zip(vehicle.axles, places.tolist(), colours, strict=True):
         low, high = bed.width_at(x, vehicle)
-        below, half = level - bed.depth_at(x), 0.5 * vehicle.patch
-        spreads.append(
-            np.array([place(x - half, level), place(x + half, level), place(high, below), place(low, below)])
-        )
-        draw_axle(axes, load, (x, level), colour, specimen, camera)
+        top, half = rises(x), 0.5 * vehicle.patch
+        below = top - bed.depth_at(x)
+        spreads.append(np.array([place(x - half, top), place(x + half, top), place(high, below), place(low, below)]))
+        draw_axle(axes, load, (x, top), colour, specimen, camera)
     axes.add_collection(PolyCollection(spreads, facecolors=colours, alpha=0.22, edgecolors="none", zorder=0.6))

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from geometry.polyhedra import measures
 from masonry.modal_analysis.modes_data import ModesData
 from masonry.pictures.camera import Camera, camera_of
 from masonry.pictures.faces import FaceDrawing
@@ -19,8 +20,10 @@ SWING = 0.08
 """Displacement of the farthest corner in the picture, over the size of the specimen."""
 MANY = 300
 """Blocks beside which the gaps between them are too thin to look into: faces in joints are then left out."""
-WIDTH = 3.3
-"""Of one mode, inches."""
+WIDTH, HIGH = 3.3, 5.0
+"""Of one mode, and about how high a tall one is, inches."""
+LINES_APART = 16.0
+"""Points between the edges of a unit, below which they are drawn thinner."""
 
 
 def view_of(result: ModesData) -> str:
@@ -55,7 +58,7 @@ def modes_figure(result: ModesData, view: str | None = None) -> Any:
 def _draw(result: ModesData, mode: int, camera: Camera, edges: Any, axes: Any) -> None:
     times = SWING * camera.size
     moved = replace(result.blocks, points=result.blocks.points + times * result.corners[mode])
-    faces = FaceDrawing(moved, camera, lamp_of(camera))
+    faces = FaceDrawing(moved, camera, lamp_of(camera), _thinness(result, camera))
     for piece in seen_pieces(moved, camera, edges, _hidden(result)):
         faces.add_piece(piece)
     faces.draw(axes)
@@ -63,9 +66,16 @@ def _draw(result: ModesData, mode: int, camera: Camera, edges: Any, axes: Any) -
     percent = f"{100.0 * share[axis]:.1f} %"
     along = "no mass along any axis" if percent == "0.0 %" else f"{percent} of the mass along {'xyz'[axis]}"
     axes.set_title(
-        f"{mode + 1}: {result.frequencies[mode]:.5g} Hz, {along}\nfarthest corner drawn {times:.3g} m away",
+        f"{mode + 1}: {result.frequencies[mode]:.5g} Hz\n{along}\nfarthest corner {times:.3g} m away",
         fontsize=9,
     )
+
+
+def _thinness(result: ModesData, camera: Camera) -> float:
+    """Ratio of the widths of lines to the usual ones: 1, and less where units are but a few points wide."""
+    blocks = result.blocks
+    unit = float(np.median(measures.volumes(blocks))) ** (1.0 / 3.0)
+    return min(1.0, unit / camera.size * 72.0 * HIGH / LINES_APART)
 
 
 def _hidden(result: ModesData) -> np.ndarray:
@@ -87,10 +97,12 @@ def _fit(figure: Any, panels: np.ndarray, rows: int, across: int, camera: Camera
     names = [_axis_word(direction) for direction in (camera.right, camera.up)]
     figure.supxlabel(names[0], fontsize=9)
     figure.supylabel(names[1], fontsize=9)
-    low, high = panels[0].dataLim.min, panels[0].dataLim.max
+    drawn = [axes for axes in panels if axes.has_data()]
+    low = np.min([axes.dataLim.min for axes in drawn], axis=0)
+    high = np.max([axes.dataLim.max for axes in drawn], axis=0)
     aspect = float((high[1] - low[1]) / max(high[0] - low[0], 1e-300))
     width = WIDTH if aspect < 2.0 else 0.6 * WIDTH
-    figure.set_size_inches(max(width * across, 4.0), rows * (min(max(width * aspect, 1.0), 7.0) + 0.6) + 0.7)
+    figure.set_size_inches(max(width * across, 4.0), rows * (min(max(width * aspect, 1.0), 7.0) + 0.8) + 0.7)
 
 
 def _axis_word(direction: np.ndarray) -> str:

@@ -18,7 +18,8 @@ LAMP = np.array([0.2, -0.75, 0.6])
 class FaceDrawing:
     """Layers of a drawing in the order of their addition: what is added later is drawn over what was added before."""
 
-    def __init__(self, blocks: Blocks, camera: Camera, lamp: np.ndarray | None = None) -> None:
+    def __init__(self, blocks: Blocks, camera: Camera, lamp: np.ndarray | None = None, thinness: float = 1.0) -> None:
+        """thinness: ratio of the widths of edges to the usual ones"""
         from matplotlib.colors import to_rgb
 
         self.camera, self.lamp = camera, lamp
@@ -27,6 +28,7 @@ class FaceDrawing:
         self._colours = [np.array(to_rgb(c)) for c in group_colours(blocks.groups)]
         self._group = blocks.group[blocks.face_block()]
         self._edges = [(*to_rgb(colour), 1.0) for colour in (CELL_EDGE, UNIT_EDGE)]
+        self._thinness = thinness
         self._paths: list[Any] = []
         self._fills: list[Any] = []
         self._lines: list[Any] = []
@@ -40,7 +42,11 @@ class FaceDrawing:
             across = np.cross(piece.corners[1] - piece.corners[0], piece.corners[2] - piece.corners[0])
             light = 0.78 + 0.22 * float(across @ self.lamp / np.linalg.norm(across))
         fill = (*np.clip(self._colours[self._group[piece.face]] * light, 0, 1), 1.0)
-        outline, (cell, unit), (thin, thick) = np.vstack([flat, flat[:1]]), self._edges, (0.6, 1.3)
+        outline, (cell, unit), (thin, thick) = (
+            np.vstack([flat, flat[:1]]),
+            self._edges,
+            (0.6 * self._thinness, 1.3 * self._thinness),
+        )
         if piece.unit_edge.all():
             self._add(outline, fill, unit, thick)
             return

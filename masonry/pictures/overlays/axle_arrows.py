@@ -1,5 +1,6 @@
 """The axles of a vehicle above what bears them: arrows from the road, and the force of each."""
 
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,7 +26,7 @@ def draw_axles_of(axes: Any, result: "ResultData", frame: Frame, camera: Camera)
         return
     places = vehicle.places(vehicle.position, vehicle.directions[0])
     x = [*result.specimen.blocks.points[:, 0], *places]
-    draw_road_line(axes, (min(x), max(x)), vehicle.level, result.specimen, camera)
+    draw_road_line(axes, (min(x), max(x)), lambda x: vehicle.level, result.specimen, camera)
     for load, place in zip(vehicle.axles, places.tolist(), strict=True):
         draw_axle(axes, factor * load, (place, vehicle.level), AXLE, result.specimen, camera)
 
@@ -38,9 +39,11 @@ def vehicle_in(result: "ResultData") -> Vehicle | None:
     return Vehicle.model_validate(table["vehicle"])
 
 
-def draw_road_line(axes: Any, ends: tuple[float, float], level: float, specimen: Specimen, camera: Camera) -> None:
-    """The road (z = level, m) between two places along x (m)."""
-    flat = camera.project(np.array([[x, far_side(specimen, camera), level] for x in ends]))
+def draw_road_line(
+    axes: Any, along: Sequence[float], level: Callable[[float], float], specimen: Specimen, camera: Camera
+) -> None:
+    """The road through places along x (m), from the first to the last, at its level (m) there."""
+    flat = camera.project(np.array([[x, far_side(specimen, camera), level(x)] for x in along]))
     axes.plot(*flat.T, color=ROAD, lw=2.0, zorder=8.0)
 
 
