@@ -9,8 +9,7 @@ from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load
 from masonry.sweeps.convergence.answers import ANSWERS, answers_of
-from masonry.sweeps.convergence.campaign import Campaign, Refinement
-from masonry.sweeps.convergence.chosen_settings import _coarser
+from masonry.sweeps.convergence.campaign import Refinement
 from masonry.sweeps.convergence.convergence import converge
 from masonry.sweeps.convergence.numerical_errors import error_of
 from tests.convergence.samples import TIPPED, borne
@@ -92,11 +91,6 @@ def test_a_gauge_that_nothing_moves_has_no_error(tipped):
     """Its reading is rounding, and a share of it says nothing."""
     row = {"status": "OK", "gauges.side.final_m": -1.6e-18, "gauges.head.final_m": 2e-4}
     assert [a.key for a in answers_of(row, ["side", "head"], list(row)[1:])] == ["gauges.head.final_m"]
-
-
-def test_a_pace_that_cannot_be_coarser_is_left_as_it_is(tmp_path):
-    campaign = Campaign(load("couplet", {"drive.accuracy": 0.2}))
-    assert _coarser([], campaign, 0.2).get("drive.accuracy") is None
 
 
 def test_settings_of_an_earlier_search_do_not_stay_beside_a_new_table(tipped):

@@ -1,61 +1,134 @@
 """Settings by which the numbers of a scene have no larger error than asked for, and which cost no more than needed."""
 
+import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from masonry.errors import SceneError
+from masonry.runtime.progress import Tell
+from masonry.runtime.tables import WIDTH
 from masonry.scene import Scene, changed
 from masonry.scene.tables.loads_and_supports import accuracy_share
-from masonry.sweeps.convergence.campaign import Campaign, Refinement, merged
+from masonry.sweeps.convergence.campaign import Campaign, Refinement
+from masonry.sweeps.convergence.next_settings import Makeup, Proposal, Steps, makeup_of, narrower, scatter_of
 from masonry.sweeps.convergence.numerical_errors import NumericalError
-from masonry.sweeps.convergence.resolutions import FINEST_ACCURACY
 from masonry.sweeps.run_store import Row
+from masonry.sweeps.work import OK
 
 FILE = "converged.toml"
-ROUNDS = 5
+ROUNDS = 6
 """Refinements one after the other, at most."""
+DEAREST = 10.0
+"""Times the scene as it is that a run may be expected to take."""
 SHORT = 0.5
-"""Seconds of a run of which no ratio is told: it would be noise."""
-COUNTS, IDLE = 0.25, 0.02
-"""Fractions of the error asked for: a part above the first is made smaller, what makes a part below the second may be
-coarser."""
+"""Seconds of a run of which no ratio is told, and which is not made coarser: it would be noise."""
+SHORTEST = 1e-3
+"""Seconds of a run that are counted at least."""
+TRIES = 2
+"""Refinements in vain, after which a number is left as it is; of scatter it is one."""
+IN_VAIN = 0.9
+"""Times the smallest error so far that is no smaller."""
+SCATTER_AT_MOST = 4.0
+"""Times the error asked for, beyond which no pace is tried against scatter."""
+ALLOWED, WORTH_IT = 1.25, 2.0
+"""Of a number that is not within reach: times its error that a coarser setting may lead to; times its smallest error
+that the scene as it is has, where finer settings are chosen for it."""
+VERDICTS = ("sound", "with care")
+"""The better first."""
 
-Measured = tuple[list[NumericalError], list[tuple[Refinement, Row]]]
+Runs = list[tuple[Refinement, Row]]
+Measured = tuple[list[NumericalError], Runs]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Settings by dotted key, and what was measured with them."""
+
+    settings: dict[str, Any]
+    errors: list[NumericalError]
+    runs: Runs
+
+    @property
+    def seconds(self) -> float:
+        """Of processor."""
+        return float(self.runs[0][1]["seconds_processor_run"])
+
+    def largest(self, but: Sequence[str] = ()) -> float:
+        """The largest relative error that the bars allow, some numbers apart."""
+        return max(
+            (_relative(error) for error in self.errors if error.value and error.answer.key not in but), default=0.0
+        )
+
+    @property
+    def verdict(self) -> str:
+        """Of a run with them, and its doubts; "" where a verdict is not asked for."""
+        row = self.runs[0][1]
+        return f"{row['verdict']} ({row['doubts']})" if row["doubts"] else str(row["verdict"] or "")
+
+    @property
+    def rank(self) -> int:
+        """Of the verdict, 0 the best."""
+        verdict = self.runs[0][1]["verdict"]
+        return VERDICTS.index(verdict) if verdict in VERDICTS else len(VERDICTS)
 
 
 @dataclass(frozen=True)
 class ChosenSettings:
-    """Settings by dotted key.
+    """The settings that were chosen.
 
-    error    the largest relative error that the bars allow with them
-    to       the one asked for
-    seconds  of processor of a run with them, and of the scene as it is
-    verdict  of a run with them, and its doubts
+    best     they, and what was measured with them
+    tried    all, the scene as it is first
+    reasons  by dotted key
+    unreached  by key of a number that does not become as good as asked for, why
+    to       the error asked for
     """
 
-    settings: dict[str, Any]
+    best: Settings
+    tried: list[Settings]
     reasons: dict[str, str]
-    error: float
+    unreached: dict[str, str]
     to: float
-    seconds: tuple[float, float]
-    verdict: str
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """By dotted key."""
+        return self.best.settings
+
+    @property
+    def error(self) -> float:
+        """The largest relative error of a number within reach; of all, where none is."""
+        return self.best.largest(self._apart)
+
+    @property
+    def _apart(self) -> list[str]:
+        """Numbers that are not within reach, where others are."""
+        keys = {error.answer.key for error in self.best.errors if error.value}
+        return [key for key in self.unreached if key in keys] if keys - set(self.unreached) else []
 
     @property
     def words(self) -> str:
-        """A sentence."""
-        ratio = self.seconds[0] / max(self.seconds[1], 1e-3)
-        what = "The scene as it is" if not self.settings else f"{FILE}"
-        took = f", for {ratio:.2g} times the time" if self.settings and min(self.seconds) > SHORT else ""
-        request = f"{100 * self.to:g} % were asked for"
-        if self.error > self.to:
-            request += ", and not reached: what is left is scatter, or converges too slowly"
-        judged = f"; its run is {self.verdict}" if self.verdict else ""
-        return f"{what} has its numbers within {100 * self.error:.2g} % ({request}){took}{judged}."
+        """A sentence on what they buy, and one for each number that is not within reach."""
+        seconds, first = self.best.seconds, self.tried[0].seconds
+        what = FILE if self.settings else "The scene as it is"
+        took = f", for {seconds / first:.2g} times the time" if self.settings and min(seconds, first) > SHORT else ""
+        numbers = "its numbers" if not self._apart else "its other numbers"
+        reached = f"{what} has {numbers} within {_percent(self.error)} ({100 * self.to:g} % were asked for){took}"
+        judged = f"; its run is {self.best.verdict}" if self.best.verdict else ""
+        missed = [
+            f"The {error.answer.words} is within {_percent(_relative(error))}: {self.unreached[error.answer.key]}."
+            for error in self.best.errors
+            if error.answer.key in self.unreached
+        ]
+        return " ".join([*missed, f"{reached}{judged}."])
 
     def as_toml(self, scene: str) -> str:
         """A scene file that stands beside that of the scene as it is."""
-        lines = [f"# {self.words}", f'base = "{scene}"']
+        numbers = [
+            f"{error.answer.words} within {_percent(_relative(error))}" for error in self.best.errors if error.value
+        ]
+        said = [*textwrap.wrap(self.words, WIDTH), *textwrap.wrap(", ".join(numbers), WIDTH)]
+        lines = [*(f"# {line}" for line in said), f'base = "{scene}"']
         tables: dict[str, list[str]] = {}
         for key, value in self.settings.items():
             table, _, name = key.rpartition(".")
@@ -71,6 +144,14 @@ def _toml(value: Any) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(value)
 
 
+def _percent(fraction: float) -> str:
+    return f"{100 * fraction:.2g} %" if fraction < 1.0 else f"{100 * fraction:.0f} %"
+
+
+def _relative(error: NumericalError) -> float:
+    return error.at_most / abs(error.value)
+
+
 def fraction(text: Any) -> float:
     """An error as a person gives it, "1 %" or 0.01. Raises SceneError."""
     try:
@@ -81,80 +162,164 @@ def fraction(text: Any) -> float:
 
 def choose(
     scene: Scene,
-    errors: list[NumericalError],
+    measured: Measured,
     to: float,
     measure: Callable[[Scene], Measured],
     plan: Callable[[Scene], Campaign] = Campaign,
+    tell: Tell | None = None,
 ) -> ChosenSettings:
-    """Refine what makes up the errors of a scene until none is larger than asked for, then make coarser what makes up
-    next to nothing of them.
+    """Refine what makes up the errors of a scene until none is larger than asked for, then make coarser what costs and
+    buys nothing.
 
-    measure  errors and runs of another scene        plan  its runs
+    measured  errors and runs of the scene as it is
+    measure   the same of another scene, plan its runs
+    tell      is called with a line for each round
     """
-    settings: dict[str, Any] = {}
-    reasons: dict[str, str] = {}
-    first = seconds = 0.0
-    for _ in range(ROUNDS):
-        now = changed(scene, settings)
-        errors, runs = measure(now)
-        seconds = runs[0][1]["seconds_processor_run"]
-        first = first or seconds
-        finer = {} if largest(errors) <= to else _refined(errors, plan(now), to)
-        if not finer:
-            break
-        reasons |= dict.fromkeys(finer, f"finer: numbers within {100 * largest(errors):.2g} % before")
-        settings = merged(settings, finer)
-    coarser = _coarser(errors, plan(changed(scene, settings)), to) if largest(errors) <= to else {}
-    if coarser:
-        fewer, runs = measure(changed(scene, merged(settings, coarser)))
-        if largest(fewer) <= to and fewer and runs[0][1]["seconds_processor_run"] < seconds:
-            reasons |= dict.fromkeys(coarser, "coarser: it buys nothing")
-            settings, errors, seconds = merged(settings, coarser), fewer, runs[0][1]["seconds_processor_run"]
-    return ChosenSettings(settings, reasons, largest(errors), to, (seconds, first), _judged(runs[0][1]))
+    return _Search(scene, to, measure, plan, tell or (lambda line: None), [Settings({}, *measured)]).chosen()
 
 
-def _judged(row: Row) -> str:
-    """The verdict of a run, and its doubts where it has some; "" where a verdict is not asked for."""
-    if row["verdict"] is None:
-        return ""
-    return f"{row['verdict']} ({row['doubts']})" if row["doubts"] else str(row["verdict"])
+@dataclass
+class _Search:
+    """One after the other, settings are chosen and measured."""
 
+    scene: Scene
+    to: float
+    measure: Callable[[Scene], Measured]
+    plan: Callable[[Scene], Campaign]
+    tell: Tell
+    tried: list[Settings]
+    reasons: dict[str, dict[str, str]] = field(default_factory=dict)
+    unreached: dict[str, str] = field(default_factory=dict)
+    dear: list[str] = field(default_factory=list)
+    smallest: dict[str, float] = field(default_factory=dict)
+    in_vain: dict[str, int] = field(default_factory=dict)
 
-def largest(errors: Sequence[NumericalError]) -> float:
-    """The largest relative error of a number that the bars allow."""
-    return max((error.at_most / abs(error.value) for error in errors if error.value), default=0.0)
+    def chosen(self) -> ChosenSettings:
+        """The cheapest settings with all numbers within reach as good as asked for; else the best."""
+        for number in range(1, ROUNDS + 1):
+            if not self._refine(number):
+                break
+        else:
+            self.dear += [error.answer.key for error in self._aims(self.tried[-1])]
+            self._give_up(self._aims(self.tried[-1]), f"{ROUNDS} refinements one after the other were not enough")
+        within = [
+            tried for tried in self.tried if tried.largest(list(self.unreached)) <= self.to and self._is_better(tried)
+        ]
+        best = min(within or self.tried, key=lambda tried: tried.seconds if within else tried.largest())
+        for _ in range(TRIES):
+            coarser = self._coarser(best) if within and best.seconds > SHORT else None
+            if coarser is None:
+                break
+            best = coarser
+        reasons = {key: "; ".join(self.reasons[key].values()) for key in best.settings}
+        missed = {e.answer.key for e in best.errors if e.value and _relative(e) > self.to}
+        unreached = {key: why for key, why in self.unreached.items() if key in missed}
+        return ChosenSettings(best, self.tried, reasons, unreached, self.to)
 
+    def _is_better(self, tried: Settings) -> bool:
+        """Whether numbers that are out of reach are about as good as they became, where that is worth it."""
+        for key in self.dear:
+            errors = [_relative(error) for each in self.tried for error in each.errors if error.answer.key == key]
+            worth_it = errors[0] > WORTH_IT * min(errors)
+            if worth_it and any(
+                _relative(error) > ALLOWED * min(errors) for error in tried.errors if error.answer.key == key
+            ):
+                return False
+        return True
 
-def _refined(errors: Sequence[NumericalError], campaign: Campaign, to: float) -> dict[str, Any]:
-    """Settings that make finer what makes up most of the errors; empty where nothing does."""
-    resolutions = campaign.resolutions
-    parts = {resolution.name: _part(errors, resolution.name) for resolution in resolutions}
-    counts = min(COUNTS * to, 0.5 * max(parts.values(), default=0.0))
-    settings: dict[str, Any] = {}
-    for resolution in resolutions:
-        if parts[resolution.name] > counts:
-            finer = campaign.trial(resolution, next(factor for factor in resolution.factors if factor > 1.0))
-            settings = merged(settings, finer.settings if finer is not None else {})
-    return settings | _narrower(campaign.scene, to)
+    def _aims(self, now: Settings) -> list[NumericalError]:
+        """Numbers whose error is too large, and within reach."""
+        return [e for e in now.errors if e.value and _relative(e) > self.to and e.answer.key not in self.unreached]
 
+    def _give_up(self, errors: Sequence[NumericalError], why: str) -> None:
+        for error in errors:
+            self.unreached[error.answer.key] = why
 
-def _narrower(scene: Scene, to: float) -> dict[str, Any]:
-    """The interval of a load factor, where half of it alone is near the error asked for."""
-    accuracy = scene.limit.accuracy if scene.limit is not None else None
-    is_wide = isinstance(accuracy, float) and accuracy > COUNTS * to
-    return {"limit.accuracy": max(COUNTS * to, FINEST_ACCURACY)} if is_wide else {}
+    def _refine(self, number: int) -> bool:
+        """One round; False where there is nothing more to do."""
+        now = self.tried[-1]
+        self._leave_what_stays(now)
+        aims = self._aims(now)
+        if not aims:
+            return False
+        scene = changed(self.scene, now.settings)
+        makeups, steps = [makeup_of(error, now.runs, self.to) for error in aims], Steps(self.plan(scene))
+        so_far = now.seconds / max(self.tried[0].seconds, SHORTEST)
+        narrow, proposal = narrower(scene, self.to), steps.finer(makeups, self.to, DEAREST / so_far)
+        if proposal is None and not narrow:
+            if steps.finer(makeups, self.to) is None:
+                self._give_up(aims, "no resolution of the scene makes it smaller")
+            else:
+                self._give_up(aims, f"finer settings would take more than {DEAREST:g} times the time of the scene")
+                self.dear += [error.answer.key for error in aims]
+            return False
+        spent = so_far * (proposal.cost if proposal is not None else 1.0)
+        settings = (steps.settings(proposal) if proposal is not None else {}) | narrow
+        self.reasons.setdefault("limit.accuracy", {}).update({"": "the interval of a load factor"} if narrow else {})
+        self._say(f"round {number}", makeups, settings, proposal, spent)
+        self._explain(steps, proposal, makeups)
+        ended = Settings(now.settings | settings, *self.measure(changed(self.scene, now.settings | settings)))
+        if ended.runs[0][1]["status"] != OK or not ended.errors:
+            self._give_up(aims, f"the run with finer settings was {ended.runs[0][1]['status'].lower()}")
+            return False
+        self.tried.append(ended)
+        return True
 
+    def _leave_what_stays(self, now: Settings) -> None:
+        """Numbers whose error is scatter, or did not become smaller."""
+        for error in self._aims(now):
+            key, size, scatter = error.answer.key, _relative(error), scatter_of(error)
+            if size > IN_VAIN * self.smallest.get(key, 2.0 * size):
+                self.in_vain[key] = self.in_vain.get(key, 0) + 1
+            self.smallest[key] = min(size, self.smallest.get(key, size))
+            tries = self.in_vain.get(key, 0)
+            if scatter > SCATTER_AT_MOST * self.to or (scatter > self.to and tries):
+                self._give_up([error], f"runs that differ in nothing of meaning differ by {_percent(scatter)}")
+            elif tries >= TRIES:
+                self._give_up([error], "finer settings do not make it smaller")
 
-def _coarser(errors: Sequence[NumericalError], campaign: Campaign, to: float) -> dict[str, Any]:
-    """Settings that make coarser by two what makes up next to nothing of the errors."""
-    settings: dict[str, Any] = {}
-    for resolution in campaign.resolutions:
-        fewer = campaign.trial(resolution, 0.5) if _part(errors, resolution.name) <= IDLE * to else None
-        settings |= fewer.settings if fewer is not None else {}
-    return settings
+    def _say(
+        self, what: str, makeups: Sequence[Makeup], settings: dict[str, Any], proposal: Proposal | None, spent: float
+    ) -> None:
+        """A line of a round: the worst number and what it comes from, what is set, and how long a run takes."""
+        worst = max(makeups, key=lambda makeup: makeup.error)
+        names = proposal.factors if proposal is not None else {}
+        parts = ", ".join(f"{name} {_percent(worst.part(name))}" for name in names if worst.part(name) > 0.0)
+        sets = ", ".join(f"{key} = {_toml(value)}" for key, value in settings.items())
+        made = f" ({parts})" if parts else ""
+        self.tell(f"{what}: {worst.words} within {_percent(worst.error)}{made}; {sets}: {spent:.2g} times the scene")
 
+    def _explain(self, steps: Steps, proposal: Proposal | None, makeups: Sequence[Makeup]) -> None:
+        """A comment for each resolution that was made finer: the number that it matters most to."""
+        for name, factor in proposal.factors.items() if proposal is not None else ():
+            worst = max(makeups, key=lambda makeup: makeup.part(name))
+            why = f"{name} finer: made up {_percent(worst.part(name))} of the {worst.words}"
+            for key in steps.resolutions[name].settings(factor) or {}:
+                self.reasons.setdefault(key, {})[name] = why
 
-def _part(errors: Sequence[NumericalError], name: str) -> float:
-    """The largest relative part of a resolution in any of the errors, what it may not have seen among it."""
-    parts = [(error, max(abs(error.parts.get(name, 0.0)), error.unseen.get(name, 0.0))) for error in errors]
-    return max((part / abs(error.value) for error, part in parts if error.value), default=0.0)
+    def _coarser(self, now: Settings) -> Settings | None:
+        """Settings that take less time, and whose errors and verdict are as good; None where none are."""
+        steps = Steps(self.plan(changed(self.scene, now.settings)))
+        limits = {
+            error.answer.key: max(self.to, ALLOWED * _relative(error) if error.answer.key in self.unreached else 0.0)
+            for error in now.errors
+            if error.value
+        }
+        errors = [error for error in now.errors if error.value]
+        proposal = steps.coarser([(makeup_of(error, now.runs, self.to), limits[error.answer.key]) for error in errors])
+        if proposal is None:
+            return None
+        settings = now.settings | steps.settings(proposal)
+        names = ", ".join(proposal.factors)
+        self.tell(f"coarser: {names}, which buy less than they cost: {proposal.cost:.2g} times the run so far")
+        ended = Settings(settings, *self.measure(changed(self.scene, settings)))
+        fits = ended.errors and all(
+            _relative(error) <= limits.get(error.answer.key, self.to) for error in ended.errors if error.value
+        )
+        if not fits or ended.rank > now.rank or ended.seconds >= now.seconds:
+            return None
+        for name, factor in proposal.factors.items():
+            for key in steps.resolutions[name].settings(factor) or {}:
+                self.reasons.setdefault(key, {})[name] = f"{name} coarser: costs more than it buys"
+        self.tried.append(ended)
+        return ended

@@ -110,8 +110,9 @@ def converge(
         errors, done = runner.measured(campaign)
         chosen = None
         if largest is not None and errors:
-            plan = partial(Campaign, analysis=analysis)
-            chosen = chosen_settings.choose(scene, errors, largest, lambda other: runner.measured(plan(other)), plan)
+            plan = partial(Campaign, cost=cost, analysis=analysis)
+            measure = lambda other: runner.measured(plan(other))  # noqa: E731
+            chosen = chosen_settings.choose(scene, (errors, done), largest, measure, plan, tell)
         result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
         _write(scene, result, form)
     return result
@@ -182,7 +183,7 @@ def _write(scene: Scene, result: Convergence, form: str) -> None:
             files.text(CSV, convergence_table.as_csv(result.errors))
             files.text(TABLE, convergence_table.as_json(result.errors, result.runs, result.remarks))
             if result.errors:
-                figure = figure_of(scene.title or scene.name, result.errors[0], result.runs)
+                figure = figure_of(scene.title or scene.name, result.errors, result.runs, result.chosen)
                 write_picture(figure, files.new(f"{PICTURE}.{form}"))
             if result.chosen is not None:
                 files.text(FILE, result.chosen.as_toml(SCENE))
