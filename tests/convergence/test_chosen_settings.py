@@ -9,9 +9,9 @@ import pytest
 from masonry.scene import Scene, changed, load
 from masonry.sweeps.convergence.answers import ANSWERS
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, Campaign, Refinement
-from masonry.sweeps.convergence.chosen_settings import choose
 from masonry.sweeps.convergence.next_settings import Proposal, Steps
 from masonry.sweeps.convergence.numerical_errors import error_of
+from masonry.sweeps.convergence.settings_search import choose
 from tests.convergence.samples import TIPPED
 
 PEAK, THERE = "peak_stress_pa", "displacement_at_peak_m"
@@ -110,7 +110,7 @@ def test_what_costs_and_buys_nothing_becomes_coarser_unless_the_verdict_is_worse
     made_up = MadeUp(of_points=0.01)
     chosen = made_up.choose(0.05)
     assert chosen.settings["drive.accuracy"] > 0.01 and chosen.best.seconds < chosen.tried[0].seconds
-    assert "coarser" in chosen.reasons["drive.accuracy"]
+    assert "coarser" in chosen.best.reasons["drive.accuracy"]["pace"]
     doubtful = MadeUp(of_points=0.01, verdicts=dict.fromkeys((0.02, 0.04, 0.08), "with care")).choose(0.05)
     assert doubtful.best.verdict == "sound" and doubtful.settings.get("drive.accuracy", 0.01) == 0.01
 

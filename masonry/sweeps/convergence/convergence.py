@@ -24,6 +24,7 @@ from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.error_record import record_in_base
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
 from masonry.sweeps.convergence.resolutions import not_refined
+from masonry.sweeps.convergence.settings_search import choose
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.study_folder import SCENE, begin
@@ -112,7 +113,7 @@ def converge(
         if largest is not None and errors:
             plan = partial(Campaign, cost=cost, analysis=analysis)
             measure = lambda other: runner.measured(plan(other))  # noqa: E731
-            chosen = chosen_settings.choose(scene, (errors, done), largest, measure, plan, tell)
+            chosen = choose(scene, (errors, done), largest, measure, plan, tell)
         result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
         _write(scene, result, form)
     return result
