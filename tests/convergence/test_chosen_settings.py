@@ -9,6 +9,7 @@ import pytest
 from masonry.scene import Scene, changed, load
 from masonry.sweeps.convergence.answers import ANSWERS
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, Campaign, Refinement
+from masonry.sweeps.convergence.error_picture import figure_of
 from masonry.sweeps.convergence.next_settings import Proposal, Steps
 from masonry.sweeps.convergence.numerical_errors import error_of
 from masonry.sweeps.convergence.settings_search import choose
@@ -127,3 +128,17 @@ def test_a_pace_that_cannot_be_coarser_is_left_as_it_is():
 def test_points_along_two_axes_are_set_at_once(factors):
     steps = Steps(Campaign(load("wallette-mode-1", {"specimen.points_per_edge": {"x": 3, "y": 2, "z": 4}})))
     assert steps.settings(Proposal(factors, 1.0))["specimen.points_per_edge"] == {"x": 6, "y": 2, "z": 2}
+
+
+def test_the_picture_marks_the_scene_as_it_is_and_the_cheapest_good_settings():
+    """The number is that which is worst within reach, and errors are those from the finest value without end."""
+    made_up, scene = MadeUp(of_points=2.0, scatter=0.3), load(TIPPED)
+    chosen = made_up.choose(0.01)
+    errors, runs = made_up.measure(scene)
+    axes = figure_of("made up", errors, runs, chosen).axes[0]
+    marked = {line.get_label(): line.get_xydata() for line in axes.lines}
+    assert axes.get_ylabel() == "error of the peak [%]"
+    assert {"pace", "points along x", "scatter", "1 % asked for", "tried one after the other"} <= set(marked)
+    (first,), (best,) = marked["scene as it is"], marked["cheapest good: converged.toml"]
+    assert first == pytest.approx([1.0, 100 * 2.0 / 3**2], rel=0.05)
+    assert best[0] == pytest.approx(chosen.best.seconds) and best[1] < 1.0
