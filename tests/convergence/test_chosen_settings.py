@@ -25,18 +25,21 @@ class MadeUp:
     of_points, of_pace  error of the peak with one point along x, and with an accuracy of 1 (of order 2 and 1)
     scatter             by which the displacement there differs, whatever is set
     seconds             of the scene as it is
+    cliff               the accuracy from which on the peak is another one
     """
 
     of_points: float = 0.0
     of_pace: float = 0.0
     scatter: float = 0.0
     seconds: float = 1.0
+    cliff: float = 1.0
     verdicts: dict[float, str] = field(default_factory=dict)
     measured: int = 0
 
     def peak(self, scene: Scene) -> float:
         """The number of a run."""
-        return 1.0 + self.of_points / scene.points_per_edge.x**2 + self.of_pace * scene.drive.accuracy
+        error = self.of_points / scene.points_per_edge.x**2 + self.of_pace * scene.drive.accuracy
+        return (1.0 if scene.drive.accuracy < self.cliff else 1.5) + error
 
     def row(self, scene: Scene, sign: float) -> dict[str, Any]:
         accuracy, points = scene.drive.accuracy, scene.points_per_edge.x
@@ -114,6 +117,12 @@ def test_what_costs_and_buys_nothing_becomes_coarser_unless_the_verdict_is_worse
     assert "coarser" in chosen.best.reasons["drive.accuracy"]["pace"]
     doubtful = MadeUp(of_points=0.01, verdicts=dict.fromkeys((0.02, 0.04, 0.08), "with care")).choose(0.05)
     assert doubtful.best.verdict == "sound" and doubtful.settings.get("drive.accuracy", 0.01) == 0.01
+
+
+def test_what_turns_out_to_be_too_coarse_is_not_chosen():
+    """The error of a coarser pace is expected from that of the scene, and larger than that."""
+    chosen = MadeUp(of_points=0.01, cliff=0.015).choose(0.05)
+    assert chosen.error <= 0.05 and chosen.settings.get("drive.accuracy", 0.01) == 0.01
 
 
 def test_a_short_run_is_left_as_it_is():

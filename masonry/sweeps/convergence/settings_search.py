@@ -174,7 +174,8 @@ class _Search:
         return Settings(settings, *self.measure(changed(self.scene, settings)), reasons)
 
     def _coarser(self, now: Settings) -> Settings | None:
-        """Settings that take less time, and whose errors and verdict are as good; None where none are."""
+        """Settings that take less time, and whose errors, from the finer value without end too, and verdict are as
+        good; None where none are."""
         steps = Steps(self.plan(changed(self.scene, now.settings)))
         limits = {
             error.answer.key: max(self.to, ALLOWED * relative(error) if error.answer.key in self.unreached else 0.0)
@@ -189,8 +190,12 @@ class _Search:
         self.tell(f"coarser: {names}, which buy less than they cost: {proposal.cost:.2g} times the run so far")
         why = _reasons(steps, proposal, lambda name: f"{name} coarser: costs more than it buys")
         ended = self._measured(now, steps.settings(proposal), why)
+        fine = {error.answer.key: error.limit for error in now.errors}
         fits = ended.errors and all(
-            relative(error) <= limits.get(error.answer.key, self.to) for error in ended.errors if error.value
+            max(relative(error), abs(1.0 - fine.get(error.answer.key, error.value) / error.value))
+            <= limits.get(error.answer.key, self.to)
+            for error in ended.errors
+            if error.value
         )
         if not fits or ended.rank > now.rank or ended.seconds >= now.seconds:
             return None
