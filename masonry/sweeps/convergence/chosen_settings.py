@@ -127,7 +127,8 @@ def toml_of(value: Any) -> str:
 
 
 def percent(fraction: float) -> str:
-    """Two digits of a fraction, in per cent."""
+    """Two digits of a fraction, in per cent; no less than a thousandth of one."""
+    fraction = max(fraction, 1e-5)
     return f"{100 * fraction:.2g} %" if fraction < 1.0 else f"{100 * fraction:.0f} %"
 
 
