@@ -2,6 +2,7 @@
 
 import tomllib
 from dataclasses import dataclass, field
+from math import inf
 from typing import Any
 
 import pytest
@@ -26,6 +27,7 @@ class MadeUp:
     scatter             by which the displacement there differs, whatever is set
     seconds             of the scene as it is
     cliff               the accuracy from which on the peak is another one
+    stops               points along x from which on a run is stopped
     """
 
     of_points: float = 0.0
@@ -33,6 +35,7 @@ class MadeUp:
     scatter: float = 0.0
     seconds: float = 1.0
     cliff: float = 1.0
+    stops: float = inf
     verdicts: dict[float, str] = field(default_factory=dict)
     measured: int = 0
 
@@ -44,7 +47,7 @@ class MadeUp:
     def row(self, scene: Scene, sign: float) -> dict[str, Any]:
         accuracy, points = scene.drive.accuracy, scene.points_per_edge.x
         return {
-            "status": "OK",
+            "status": "OK" if points < self.stops else "STOPPED",
             "key": f"{points} {accuracy}",
             PEAK: self.peak(scene),
             THERE: 1.0 + sign * self.scatter,
@@ -60,6 +63,8 @@ class MadeUp:
         trials = [Refinement(BASE, 1.0, {}), Refinement(SCATTER, 1.0, {})]
         trials += [trial for r in campaign.resolutions if (trial := campaign.trial(r, 2.0)) is not None]
         runs = [(trial, self.row(changed(scene, trial.settings), float(trial.name == SCATTER))) for trial in trials]
+        if runs[0][1]["status"] != "OK":
+            return [], runs
         answers = [answer for answer in ANSWERS if answer.key in (PEAK, THERE)]
         return [error for answer in answers if (error := error_of(answer, runs)) is not None], runs
 
@@ -108,6 +113,11 @@ def test_what_would_cost_too_much_is_left():
     assert "times the time of the scene" in chosen.unreached[PEAK] and chosen.best.largest() > 0.001
     assert max(tried.seconds for tried in chosen.tried) < 20.0
     assert chosen.best.largest() < 0.5 * chosen.tried[0].largest(), "as good as it became"
+
+
+def test_settings_whose_run_is_stopped_are_not_chosen():
+    chosen = MadeUp(of_points=2.0, stops=7).choose(0.01)
+    assert chosen.settings == {} and chosen.unreached == {PEAK: "the run with finer settings was stopped"}
 
 
 def test_what_costs_and_buys_nothing_becomes_coarser_unless_the_verdict_is_worse():

@@ -21,6 +21,7 @@ from masonry.sweeps.convergence.next_settings import Makeup, Proposal, Steps, ma
 from masonry.sweeps.convergence.numerical_errors import NumericalError
 from masonry.sweeps.work import OK
 
+NOTHING_FINER = "no resolution of the scene makes it smaller"
 ROUNDS = 6
 """Refinements one after the other, at most."""
 DEAREST = 10.0
@@ -125,7 +126,7 @@ class _Search:
         narrow, proposal = narrower(scene, self.to), steps.finer(makeups, self.to, DEAREST / so_far)
         if proposal is None and not narrow:
             if steps.finer(makeups, self.to) is None:
-                self._give_up(aims, "no resolution of the scene makes it smaller")
+                self._give_up(aims, NOTHING_FINER)
             else:
                 self._give_up(aims, f"finer settings would take more than {DEAREST:g} times the time of the scene")
                 self.dear += [error.answer.key for error in aims]
@@ -137,8 +138,10 @@ class _Search:
         if proposal is not None:
             why |= _reasons(steps, proposal, lambda name: _made_up(name, makeups))
         ended = self._measured(now, settings, why)
-        if ended.runs[0][1]["status"] != OK or not ended.errors:
-            self._give_up(aims, f"the run with finer settings was {ended.runs[0][1]['status'].lower()}")
+        status = ended.runs[0][1]["status"]
+        if status != OK or not ended.errors:
+            why_not = f"the run with finer settings was {status.lower()}" if status != OK else NOTHING_FINER
+            self._give_up(aims, why_not)
             return False
         self.tried.append(ended)
         return True
