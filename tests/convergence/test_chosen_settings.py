@@ -116,7 +116,7 @@ def test_what_would_cost_too_much_is_left():
 
 
 def test_settings_whose_run_is_stopped_are_not_chosen():
-    chosen = MadeUp(of_points=2.0, stops=7).choose(0.01)
+    chosen = MadeUp(of_points=2.0, stops=7, seconds=0.05).choose(0.01)
     assert chosen.settings == {} and chosen.unreached == {PEAK: "the run with finer settings was stopped"}
 
 
