@@ -39,9 +39,9 @@ def figure_of(title: str, errors: Sequence[NumericalError], runs: Ended, chosen:
     if again:
         axes.plot(*zip(*again, strict=True), "x", color="0.5", label=SCATTER)
     shown = [point for _, point in points] + (_draw_chosen(axes, error, chosen) if chosen is not None else [])
-    axes.plot(*base, "s", color="#222222", markersize=9, label="scene as it is", zorder=3)
+    axes.plot(*base, "s", color="#222222", markersize=9, label="scene as it is", zorder=4)
     width = 100.0 * error.half_width / (abs(error.value) or 1.0)
-    axes.axhspan(0.0, width, color="0.9", zorder=0, label="95 % bar of the value without end")
+    axes.axhspan(0.0, width, facecolor="0.9", edgecolor="0.6", zorder=0, label="95 % bar of the value without end")
     _scale(axes, width, shown)
     axes.set(xlabel="processor [s]", ylabel=f"error of the {plain(error.answer.words)} [%]")
     axes.legend(fontsize=9, frameon=False)
@@ -92,7 +92,7 @@ def _draw_chosen(axes: Any, error: NumericalError, chosen: ChosenSettings) -> li
     best = _point(chosen.best.runs[0][1], error)
     if best is not None:
         label = f"cheapest good: {FILE}" if chosen.error <= chosen.to else f"best: {FILE}"
-        axes.plot(*best, "*", color="#ff7f0e", markeredgecolor="#222222", markersize=18, label=label, zorder=4)
+        axes.plot(*best, "*", color="#ff7f0e", markeredgecolor="#222222", markersize=20, label=label, zorder=3)
     axes.axhline(100.0 * chosen.to, color="#ff7f0e", lw=1.0, label=f"{100.0 * chosen.to:g} % asked for")
     return [*tried, (tried[0][0], 100.0 * chosen.to)]
 
