@@ -81,10 +81,10 @@ def scatter_of(error: NumericalError) -> float:
 
 
 def makeup_of(error: NumericalError, runs: Ended, to: float) -> Makeup:
-    """A resolution counts by the largest change that a run of it made. The pace counts by scatter too, where that is
+    """A resolution counts by the largest change that a run of it made, or by what it may not have seen. The pace counts by scatter too, where that is
     larger than the error asked for, and by what a peak may be between two steps."""
     size, base = abs(error.value), value_of(runs[0][1], error.answer)
-    moved: dict[str, float] = {}
+    moved = {name: unseen / size for name, unseen in error.unseen.items() if unseen}
     for trial, row in runs:
         part, value = error.parts.get(trial.name, 0.0), value_of(row, error.answer)
         if trial.name not in (BASE, SCATTER, TOGETHER) and part and value is not None and base is not None:
