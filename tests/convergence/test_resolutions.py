@@ -110,9 +110,9 @@ def test_all_together_have_the_most_points_of_each():
     assert merged(first, second) == first | {"specimen.points_per_edge": {"x": 6, "y": 3, "z": 6}}
 
 
-def test_what_is_random_is_told_beside_and_not_refined():
-    assert "masonry sensitivity --only cells" in " ".join(not_refined(load("wallette-mode-1-218")))
-    assert not_refined(load(TIPPED)) == []
+def test_divisions_are_part_of_the_model_and_told_so():
+    assert "where cracks may run" in " ".join(not_refined(load("couplet", {"specimen.divisions": [2, 1, 2]})))
+    assert not_refined(load("wallette-mode-1-218")) == not_refined(load(TIPPED)) == []
 
 
 def test_scatter_is_looked_at_again_where_nothing_else_shows():

@@ -86,11 +86,11 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _listing(loaded: "Scene", cost: float | None, numbers: list[str]) -> str:
     from masonry.sweeps.convergence.analyses import analysis_of
+    from masonry.sweeps.convergence.beside_resolution import runs_beside
     from masonry.sweeps.convergence.campaign import Campaign
     from masonry.sweeps.convergence.convergence_table import settings_words
 
-    rows = [
-        (trial.label, settings_words(trial) or "-", f"{trial.cost:.2g} times the scene")
-        for trial in Campaign(loaded, cost, analysis_of(numbers)).first()
-    ]
+    analysis = analysis_of(numbers)
+    trials = [*Campaign(loaded, cost, analysis).first(), *(runs_beside(loaded) if analysis.scatters else [])]
+    rows = [(trial.label, settings_words(trial) or "-", f"{trial.cost:.2g} times the scene") for trial in trials]
     return "\n".join(map(visible, columns(rows)))

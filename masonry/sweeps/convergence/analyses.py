@@ -15,7 +15,7 @@ from masonry.laboratory.cost import forecast
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.scene import Scene
 from masonry.sweeps.convergence.answers import Answer, answers_of, with_derived
-from masonry.sweeps.convergence.resolutions import JITTER, Resolution, jitter, of_space, resolutions_of
+from masonry.sweeps.convergence.resolutions import Resolution, jitter, of_space, resolutions_of
 from masonry.sweeps.job import Job
 from masonry.sweeps.run_store import Row, frequency_key
 from masonry.sweeps.work import OK, SHAPES
@@ -54,8 +54,8 @@ class RefinedAnalysis(Protocol):
         """All that may be refined."""
         ...
 
-    def jitter(self, scene: Scene, finer: bool) -> dict[str, Any]:
-        """Settings that differ in nothing of meaning."""
+    def jitter(self, scene: Scene, factor: float) -> dict[str, Any]:
+        """Settings that differ by a factor of refinement that means nothing."""
         ...
 
     def size(self, scene: Scene) -> Size:
@@ -87,8 +87,8 @@ class RunAnalysis:
     def resolutions(self, scene: Scene) -> list[Resolution]:
         return resolutions_of(scene)
 
-    def jitter(self, scene: Scene, finer: bool) -> dict[str, Any]:
-        return jitter(scene, JITTER if finer else 1.0 / JITTER)
+    def jitter(self, scene: Scene, factor: float) -> dict[str, Any]:
+        return jitter(scene, factor)
 
     def size(self, scene: Scene) -> Size:
         assembly = assemble(scene)
@@ -119,7 +119,7 @@ class ModesAnalysis:
     def resolutions(self, scene: Scene) -> list[Resolution]:
         return of_space(scene)
 
-    def jitter(self, scene: Scene, finer: bool) -> dict[str, Any]:
+    def jitter(self, scene: Scene, factor: float) -> dict[str, Any]:
         return {}
 
     def size(self, scene: Scene) -> Size:

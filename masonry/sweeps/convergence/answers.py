@@ -72,6 +72,11 @@ class Value:
     interval: float = 0.0
     reading: float = 0.0
 
+    @property
+    def middle(self) -> float:
+        """Of the interval, which counts as the value."""
+        return self.number + self.interval
+
 
 def answers_of(row: Row, gauges: Sequence[str], chosen: Sequence[str] = ()) -> list[Answer]:
     """Those of `chosen`, keys of a row; else all that the run of a row has and that are not next to nothing beside

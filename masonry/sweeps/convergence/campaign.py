@@ -14,6 +14,15 @@ from masonry.sweeps.convergence.extrapolation import FLAT
 from masonry.sweeps.convergence.resolutions import ALL_EDGES, ALONG, ONE_AXIS, PATCHES, Resolution
 
 BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
+DRAWN, RIGID = "drawn again", "stiffness of dry joints"
+NOT_REFINED = (BASE, SCATTER, TOGETHER, DRAWN, RIGID)
+"""Names of runs that tell the error of no single resolution; the last two differ by more than resolution."""
+APART = 0.01
+"""Relative difference of runs that differ in nothing, from which on they go apart: as far as their step or their pace
+differ."""
+JITTERS, MORE_APART = (1.01, 1.0 / 1.01, 1.02, 1.0 / 1.02, 1.03), 4
+"""Factors of refinement that mean nothing, one after the other; and runs that differ in nothing, where these go apart,
+besides the first."""
 MATTERS = 0.1
 """Fraction of the largest change, below which one resolution is left out of the run of all together."""
 SKEW = 1e-6
@@ -26,7 +35,7 @@ COST, COST_OF_TETS = 6.0, 8.0
 class Refinement:
     """A run of a campaign.
 
-    name      of its resolution, or one of BASE, SCATTER, TOGETHER
+    name      of its resolution, or one of NOT_REFINED
     factor    by which it is finer
     settings  by dotted key
     cost      expected, over that of the scene as it is
@@ -44,8 +53,10 @@ class Refinement:
     @property
     def label(self) -> str:
         """Name of the run in lines for people."""
-        if self.name in (BASE, SCATTER):
+        if self.name in (BASE, SCATTER, DRAWN):
             return self.name
+        if self.name == RIGID:
+            return f"{self.name} times {self.factor:.3g}"
         return f"{self.name} {'finer' if self.factor > 1.0 else 'coarser'} by {max(self.factor, 1.0 / self.factor):.3g}"
 
 
@@ -70,8 +81,7 @@ class Campaign:
         """The scene as it is, a run that differs in nothing of meaning, and each resolution alone: the cheapest of its
         runs in any case, others as far as the cost reaches."""
         base = Refinement(BASE, 1.0, {})
-        again = Refinement(SCATTER, 1.0, self.analysis.jitter(self.scene, finer=True))
-        trials = [base, again] if self.analysis.scatters else [base]
+        trials = [base, self._again(JITTERS[0])] if self.analysis.scatters else [base]
         spent, others = float(self.analysis.scatters), []
         for resolution in self.resolutions:
             alone = [self.trial(resolution, factor) for factor in self._first_factors(resolution)]
@@ -101,8 +111,7 @@ class Campaign:
         largest = max(changes.values(), default=0.0)
         remaining = self.limit - spent
         if largest <= FLAT * scatter:
-            again = replace(done[0], name=SCATTER, settings=self.analysis.jitter(self.scene, finer=False))
-            return self._within([*self._of_edges(done), again if scatter > 0.0 else None], remaining)
+            return self._within([*self._of_edges(done), *self._more_again(scatter, remaining)], remaining)
         finer = {r.name: r for r in self.resolutions if any(t.name == r.name and t.factor > 1.0 for t in done)}
         matter = [name for name in finer if changes.get(name, 0.0) > MATTERS * largest]
         trials = []
@@ -128,6 +137,15 @@ class Campaign:
                 chosen.append(trial)
                 remaining -= trial.cost
         return chosen
+
+    def _again(self, factor: float) -> Refinement:
+        """A run that differs in nothing of meaning."""
+        return Refinement(SCATTER, 1.0, self.analysis.jitter(self.scene, factor))
+
+    def _more_again(self, scatter: float, remaining: float) -> list[Refinement]:
+        """More of these, within the rest of the cost; none where they do not differ at all."""
+        count = 0 if scatter == 0.0 else MORE_APART if scatter > APART else 1
+        return [self._again(factor) for factor in JITTERS[1 : 1 + min(count, int(remaining))]]
 
     def _of_all(self, resolutions: Sequence[Resolution]) -> Refinement | None:
         """All of these by two, or as far as mesh goes."""

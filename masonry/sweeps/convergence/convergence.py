@@ -19,7 +19,8 @@ from masonry.scene import Scene
 from masonry.sweeps.convergence import chosen_settings, convergence_table
 from masonry.sweeps.convergence.analyses import RUN, analysis_of
 from masonry.sweeps.convergence.answers import require_answer
-from masonry.sweeps.convergence.campaign import Campaign, Refinement
+from masonry.sweeps.convergence.beside_resolution import BesideResolution, beside, runs_beside, sentences
+from masonry.sweeps.convergence.campaign import DRAWN, RIGID, Campaign, Refinement
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.error_record import record_in_base
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
@@ -42,14 +43,16 @@ class Convergence:
 
     folder   of the runs, the table (convergence.csv, convergence.json) and the picture (convergence.png)
     errors   of each number of the scene, in SI; empty where its run did not come to its end
+    besides  of each of these, differences that are no error of resolution
     runs     what was refined, and the row of its run: the scene as it is first
-    remarks  what is not refined, in sentences
+    remarks  what is not refined, and what is no error of resolution, in sentences
     chosen   settings whose error is small enough, where that was asked for
     form     of the picture
     """
 
     folder: Path
     errors: list[NumericalError]
+    besides: list[BesideResolution]
     runs: list[tuple[Refinement, Row]]
     remarks: list[str]
     chosen: ChosenSettings | None
@@ -108,13 +111,15 @@ def converge(
         tell(_forecast(campaign, folder))
     with sole(folder, DOING):
         runner = Runner(folder, of, processors() if workers is None else workers, tell)
-        errors, done = runner.measured(campaign)
+        errors, done = runner.measured(campaign, runs_beside(scene) if analysis.scatters else [])
+        besides = [item for error in errors if (item := beside(error.answer, done)) is not None]
+        remarks = [*sentences(besides, done, scene.moves_in_time), *not_refined(scene)]
         chosen = None
         if largest is not None and errors:
             plan = partial(Campaign, cost=cost, analysis=analysis)
             measure = lambda other: runner.measured(plan(other))  # noqa: E731
             chosen = choose(scene, (errors, done), largest, measure, plan, tell)
-        result = Convergence(folder, errors, done, not_refined(scene), chosen, form)
+        result = Convergence(folder, errors, besides, done, remarks, chosen, form)
         _write(scene, result, form)
     return result
 
@@ -146,17 +151,20 @@ class Runner:
     tell: Tell | None
     executor: Any = None
 
-    def measured(self, campaign: Campaign) -> tuple[list[NumericalError], list[tuple[Refinement, Row]]]:
-        """The error of each number of a scene, and its runs in two rounds: each resolution alone, then what these say
-        matters."""
-        first = campaign.first()
+    def measured(
+        self, campaign: Campaign, others: Sequence[Refinement] = ()
+    ) -> tuple[list[NumericalError], list[tuple[Refinement, Row]]]:
+        """The error of each number of a scene, and its runs in two rounds: each resolution alone, and others, then what
+        these say matters."""
+        first = [*campaign.first(), *others]
         done = self._round(campaign, first)
         base, gauges = done[0][1], [gauge.name for gauge in campaign.scene.gauge]
         if base["status"] != OK:
             return [], done
         answers = campaign.analysis.answers(base, gauges, self.of)
         changes, scatter = relative_changes(done, answers)
-        spent = sum(row["seconds_processor_run"] for _, row in done[1:] if row["status"] == OK)
+        refined = [row for trial, row in done[1:] if trial.name not in (DRAWN, RIGID)]
+        spent = sum(row["seconds_processor_run"] for row in refined if row["status"] == OK)
         cost = spent / max(base["seconds_processor_run"], SHORTEST)
         done += self._round(campaign, campaign.second(first, changes, scatter, cost), base)
         return [error for answer in answers if (error := error_of(answer, done)) is not None], done
@@ -181,8 +189,8 @@ def _write(scene: Scene, result: Convergence, form: str) -> None:
         remove_pictures(result.folder, PICTURE)
         remove_own(result.folder, FILE)
         with ResultFiles(result.folder) as files:
-            files.text(CSV, convergence_table.as_csv(result.errors))
-            files.text(TABLE, convergence_table.as_json(result.errors, result.runs, result.remarks))
+            files.text(CSV, convergence_table.as_csv(result.errors, result.besides))
+            files.text(TABLE, convergence_table.as_json(result.errors, result.besides, result.runs, result.remarks))
             if result.errors:
                 figure = figure_of(scene.title or scene.name, result.errors, result.runs, result.chosen)
                 write_picture(figure, files.new(f"{PICTURE}.{form}"))

@@ -13,8 +13,10 @@ from masonry.results.records.convergence_record import LIMITS_OF_USE
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
 from masonry.sweeps.convergence.answers import BORNE
-from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Refinement
+from masonry.sweeps.convergence.beside_resolution import BesideResolution
+from masonry.sweeps.convergence.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER, Refinement
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+from masonry.sweeps.job import short_text
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK
 
@@ -139,7 +141,7 @@ def settings_words(trial: Refinement) -> str:
 def _value(value: Any) -> str:
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key} = {part}" for key, part in value.items()) + "}"
-    return f"{value:.4g}" if isinstance(value, float) else f"{value}"
+    return short_text(value)
 
 
 def _run_lines(runs: Ended) -> list[str]:
@@ -152,21 +154,26 @@ def _run_lines(runs: Ended) -> list[str]:
     return columns(lines)
 
 
-def as_csv(errors: Sequence[NumericalError]) -> str:
-    """One row a number, in SI."""
+def as_csv(errors: Sequence[NumericalError], besides: Sequence[BesideResolution] = ()) -> str:
+    """One row a number, in SI; columns of what is beside its error where something is."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(("number", "value", "limit", "error", "half_width", "order", "scatter", "parts"))
+    others = {item.answer.key: item.as_data() for item in besides}
+    heads = tuple(others[errors[0].answer.key]) if others else ()
+    writer.writerow(("number", "value", "limit", "error", "half_width", "order", "scatter", "parts", *heads))
     for error in errors:
         parts = "; ".join(f"{name} = {part!r}" for name, part in error.parts.items())
         order = "" if error.order is None else error.order
         row = (error.answer.key, error.value, error.limit, error.error, error.half_width, order, error.scatter, parts)
-        writer.writerow(row)
+        writer.writerow((*row, *others.get(error.answer.key, {}).values()))
     return file.getvalue()
 
 
-def as_json(errors: Sequence[NumericalError], runs: Ended, remarks: Sequence[str]) -> str:
-    """The errors, and the runs that they come from."""
+def as_json(
+    errors: Sequence[NumericalError], besides: Sequence[BesideResolution], runs: Ended, remarks: Sequence[str]
+) -> str:
+    """The errors, what is beside them, and the runs that they come from."""
+    others = {item.answer.key: item.as_data() for item in besides}
     numbers = [
         {
             "number": error.answer.key,
@@ -178,6 +185,7 @@ def as_json(errors: Sequence[NumericalError], runs: Ended, remarks: Sequence[str
             "scatter": error.scatter,
             "parts": error.parts,
             "sentence": sentence(error),
+            **others.get(error.answer.key, {}),
         }
         for error in errors
     ]
@@ -186,7 +194,7 @@ def as_json(errors: Sequence[NumericalError], runs: Ended, remarks: Sequence[str
 
 
 def _of_run(trial: Refinement, row: Row) -> dict[str, Any]:
-    kinds = {BASE: "base", SCATTER: "scatter", TOGETHER: "together"}
+    kinds = {BASE: "base", SCATTER: "scatter", TOGETHER: "together", DRAWN: "drawn", RIGID: "rigid"}
     return {
         "name": trial.name,
         "kind": kinds.get(trial.name, "resolution"),

@@ -7,10 +7,10 @@ of all within reach.
 from collections.abc import Sequence
 from typing import Any
 
-from masonry.pictures.labels import wrapped
+from masonry.pictures.labels import key_beside, wrapped
 from masonry.pictures.style import plain, tidy
 from masonry.sweeps.convergence.answers import value_of
-from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER
+from masonry.sweeps.convergence.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER
 from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
 from masonry.sweeps.run_store import Row
@@ -28,7 +28,11 @@ def figure_of(title: str, errors: Sequence[NumericalError], runs: Ended, chosen:
     axes = figure.subplots()
     tidy(axes)
     error = errors[0] if chosen is None else _decisive(errors, chosen)
-    points = [(trial, point) for trial, row in runs if (point := _point(row, error)) is not None]
+    points = [
+        (trial, point)
+        for trial, row in runs
+        if trial.name not in (DRAWN, RIGID) and (point := _point(row, error)) is not None
+    ]
     base = points[0][1]
     names = dict.fromkeys(trial.name for trial, _ in points if trial.name not in (BASE, SCATTER))
     for name, colour in zip(names, COLOURS * len(names), strict=False):
@@ -41,10 +45,10 @@ def figure_of(title: str, errors: Sequence[NumericalError], runs: Ended, chosen:
     shown = [point for _, point in points] + (_draw_chosen(axes, error, chosen) if chosen is not None else [])
     axes.plot(*base, "s", color="#222222", markersize=9, label="scene as it is", zorder=4)
     width = 100.0 * error.half_width / (abs(error.value) or 1.0)
-    axes.axhspan(0.0, width, facecolor="0.9", edgecolor="0.6", zorder=0, label="95 % bar of the value without end")
+    axes.axhspan(0.0, width, facecolor="0.9", edgecolor="0.6", zorder=0, label="95 % bar")
     _scale(axes, width, shown)
     axes.set(xlabel="processor [s]", ylabel=f"error of the {plain(error.answer.words)} [%]")
-    axes.legend(fontsize=9, frameon=False)
+    key_beside(axes)
     figure.suptitle(plain(wrapped(title, 70)), fontsize=13)
     return figure
 

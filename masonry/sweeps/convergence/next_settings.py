@@ -12,7 +12,7 @@ from typing import Any
 
 from masonry.scene import Scene
 from masonry.sweeps.convergence.answers import value_of
-from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Campaign, Refinement
+from masonry.sweeps.convergence.campaign import NOT_REFINED, Campaign, Refinement
 from masonry.sweeps.convergence.extrapolation import HIGHEST_ORDER, LOWEST_ORDER
 from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
 from masonry.sweeps.convergence.resolutions import FINEST_ACCURACY
@@ -81,13 +81,13 @@ def scatter_of(error: NumericalError) -> float:
 
 
 def makeup_of(error: NumericalError, runs: Ended, to: float) -> Makeup:
-    """A resolution counts by the largest change that a run of it made, or by what it may not have seen. The pace counts by scatter too, where that is
-    larger than the error asked for, and by what a peak may be between two steps."""
+    """A resolution counts by the largest change that a run of it made, or by what it may not have seen. The pace counts
+    by scatter too, where that is larger than the error asked for, and by what a peak may be between two steps."""
     size, base = abs(error.value), value_of(runs[0][1], error.answer)
     moved = {name: unseen / size for name, unseen in error.unseen.items() if unseen}
     for trial, row in runs:
         part, value = error.parts.get(trial.name, 0.0), value_of(row, error.answer)
-        if trial.name not in (BASE, SCATTER, TOGETHER) and part and value is not None and base is not None:
+        if trial.name not in NOT_REFINED and part and value is not None and base is not None:
             change = abs(value.number + value.interval - base.number - base.interval)
             moved[trial.name] = max(change / size, abs(part) / size, moved.get(trial.name, 0.0))
     whole, interval, rest = error.at_most / size, error.interval / size, scatter_of(error)

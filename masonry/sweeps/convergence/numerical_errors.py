@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import hypot
 
 from masonry.sweeps.convergence.answers import Answer, Value, value_of
-from masonry.sweeps.convergence.campaign import BASE, SCATTER, TOGETHER, Refinement
+from masonry.sweeps.convergence.campaign import BASE, DRAWN, NOT_REFINED, RIGID, SCATTER, TOGETHER, Refinement
 from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.convergence.extrapolation import (
     FLAT,
@@ -98,7 +98,7 @@ def _middle(value: Value) -> float:
 
 def _parts(values: Sequence[tuple[Refinement, float]], scatter: float) -> dict[str, Estimate]:
     """By resolution, from its runs and the scene as it is."""
-    names = dict.fromkeys(trial.name for trial, _ in values if trial.name not in (BASE, SCATTER, TOGETHER))
+    names = dict.fromkeys(trial.name for trial, _ in values if trial.name not in NOT_REFINED)
     base = values[0][1]
     return {
         name: extrapolated([(1.0, base), *((t.factor, value) for t, value in values if t.name == name)], scatter)
@@ -130,5 +130,6 @@ def relative_changes(ended: Ended, answers: Sequence[Answer]) -> tuple[dict[str,
             change = abs(_middle(value) / _middle(base) - 1.0)
             changes[trial.name] = max(changes.get(trial.name, 0.0), change)
     scatter = changes.pop(SCATTER, 0.0)
-    changes.pop(TOGETHER, None)
+    for name in (TOGETHER, DRAWN, RIGID):
+        changes.pop(name, None)
     return changes, scatter

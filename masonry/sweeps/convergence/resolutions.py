@@ -10,8 +10,6 @@ from masonry.scene import Scene
 FINEST_ACCURACY = 1e-4
 MOST_ALONG_PATCH, MOST_ROWS = 40, 1_000_000
 """The finest that a scene takes."""
-JITTER = 1.01
-"""Factor of refinement that means nothing."""
 ALONG = "points along "
 PATCHES = "points of patches"
 ONE_AXIS, ALL_EDGES = tuple(f"{ALONG}{axis}" for axis in "xyz"), (f"{ALONG}all edges",)
@@ -172,11 +170,7 @@ def not_refined(scene: Scene) -> list[str]:
     """Remarks on settings that a number may rest on besides, and why they are not made finer."""
     remarks = []
     spec = scene.specimen
-    if getattr(spec, "cells", None) is not None or scene.scatter is not None:
-        remarks.append(
-            "Cells or strengths drawn at random are a scatter of their own: masonry sensitivity --only cells."
-        )
-    elif max(getattr(spec, "divisions", None) or (1,)) > 1:
+    if not spec.has_cells and max(getattr(spec, "divisions", None) or (1,)) > 1:
         remarks.append("Blocks of a unit (specimen.divisions) say where cracks may run: they are part of the model.")
     if scene.is_large and spec.patch_points is not None:
         remarks.append(
