@@ -2,6 +2,7 @@
 
 import pytest
 
+from masonry.cli.main import main
 from masonry.scene import changed, load
 from masonry.sweeps.convergence.campaign import Campaign, merged
 from masonry.sweeps.convergence.resolutions import jitter, not_refined, resolutions_of
@@ -153,3 +154,12 @@ def test_dry_joints_in_large_displacement_have_points_of_patches_alone(name, key
 
 def test_points_of_patches_are_doubled_from_those_of_the_program():
     assert settings(load("arch-tilted"), "points of patches") == {"specimen.patch_points_per_edge": 4}
+
+
+def test_a_limit_analysis_has_nothing_to_refine_and_says_so_in_a_line(capsys):
+    """Rigid blocks and the corners of their joints: its factor is an optimum, and no run of a scene has it."""
+    (said,) = not_refined(load("arch-own-weight"))
+    assert "masonry limit has nothing to refine" in said and not_refined(load("wall-tilted")) == []
+    assert main(["converge", "arch-own-weight", "--of", "limit.factor"]) == 2
+    err = capsys.readouterr().err
+    assert "nothing to refine" in err and err.count("\n") == 1

@@ -26,6 +26,12 @@ SETTINGS = (
     *("time_step_s", "step_fraction", "section_m2", "slip_limit", "collapse_load.accuracy"),
     *("collapse_load.branch.until_m", "shaking.rows_a_second", MISSED),
 )
+LIMIT, EXACT = (
+    ("factor", "load_factor", "limit"),
+    "the factor of masonry limit has nothing to refine: corners of joints bear whatever a pressure bears, and the "
+    "optimum is exact but for its duality gap",
+)
+"""Names of the factor of a limit analysis, and why it has no error of resolution."""
 ELASTIC = 0.1
 """Fraction of the peak up to which the secant of a curve is its initial stiffness."""
 NOTHING = 1e-6
@@ -102,6 +108,8 @@ def require_answer(name: str, gauges: Sequence[str]) -> None:
     counts something, what tells the time that a run took, and a setting."""
     if name in DERIVED:
         return
+    if name.partition(".")[0] in LIMIT:
+        raise SceneError(f"--of: '{name:.60}': {EXACT}")
     require_number(name, gauges, "--of: ", "it")
     if name.startswith("seconds") or name in SETTINGS or not is_measured(name, gauges):
         usual = ", ".join(answer.key for answer in ANSWERS[:4])

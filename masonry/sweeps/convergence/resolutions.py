@@ -6,6 +6,7 @@ from typing import Any
 
 from masonry.assembly.contact_pairs import points_along
 from masonry.scene import Scene
+from masonry.sweeps.convergence.answers import EXACT
 
 FINEST_ACCURACY = 1e-4
 MOST_ALONG_PATCH, MOST_ROWS = 40, 1_000_000
@@ -168,8 +169,8 @@ def _of_mesh(scene: Scene) -> Iterator[Resolution]:
 
 def not_refined(scene: Scene) -> list[str]:
     """Remarks on settings that a number may rest on besides, and why they are not made finer."""
-    remarks = []
     spec = scene.specimen
+    remarks = [f"A run leaves the load of [limit] out; {EXACT}."] if scene.limit is not None and not scene.grows else []
     if not spec.has_cells and max(getattr(spec, "divisions", None) or (1,)) > 1:
         remarks.append("Blocks of a unit (specimen.divisions) say where cracks may run: they are part of the model.")
     if scene.is_large and spec.patch_points is not None:
