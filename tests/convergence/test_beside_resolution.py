@@ -122,6 +122,15 @@ def test_a_chaotic_motion_has_a_distribution_in_place_of_an_order():
     assert error_of(SWAY, motions(200.0)).order is None
 
 
+def test_an_answer_that_is_steep_in_its_step_and_converges_is_not_chaotic():
+    """A hundredth of the step moves it by 2 %, and half the step by 40 %."""
+    values = {"as it is": (1.0, 1.0), "scatter": (1.0, 1.02), "time step": (2.0, 1.4)}
+    runs = [(Refinement(name, factor, {}), row(x, "sway")) for name, (factor, x) in values.items()]
+    assert beside(SWAY, runs).chaotic == ()
+    runs[2] = (runs[2][0], row(1.05, "sway"))
+    assert beside(SWAY, runs).chaotic == (1.0, 1.02, 1.05)
+
+
 def test_runs_that_go_apart_are_followed_by_more_of_them():
     campaign = Campaign(load(TIPPED), 20.0)
     again = campaign.second(campaign.first(), {"pace": 0.05}, 0.04, 3.0)

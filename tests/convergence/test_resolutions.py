@@ -133,6 +133,8 @@ def test_rows_of_a_motion_go_with_its_step_but_for_those_that_are_the_band_of_an
 def test_a_load_that_grows_has_the_accuracy_of_its_trials():
     assert settings(load("wall-tilted"), "trials") == {"limit.accuracy": 0.0025}
     assert settings(load("wall-tilted", {"limit.accuracy": 1.5e-4}), "trials") is None
+    trials = next(r for r in resolutions_of(load("wall-tilted")) if r.name == "trials")
+    assert trials.settings(0.5) is None  # the interval of its factor would be twice as wide
     assert "trials" not in [r.name for r in resolutions_of(load("couplet"))]
 
 

@@ -91,10 +91,11 @@ def _rows(scene: Scene, factor: float) -> dict[str, Any]:
 
 def _trials(scene: Scene, factor: float) -> dict[str, Any] | None:
     """The accuracy of a load that grows: how near its trials come to each other, how long its increments are, how much
-    at rest it must be, and how near to equilibrium a branch is led."""
+    at rest it must be, and how near to equilibrium a branch is led. It is never coarser, as the interval of the factor
+    would be as well."""
     assert scene.limit is not None and scene.limit.run_accuracy is not None
     finer = scene.limit.run_accuracy / factor
-    return {"limit.accuracy": finer} if finer >= FINEST_ACCURACY else None
+    return {"limit.accuracy": finer} if factor >= 1.0 and finer >= FINEST_ACCURACY else None
 
 
 def _pace(scene: Scene, factor: float) -> dict[str, Any] | None:
