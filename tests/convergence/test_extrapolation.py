@@ -35,6 +35,15 @@ def test_two_orders_at_once_lie_within_the_bar_of_three_values(seed):
     assert abs(estimate.change + first + second) <= estimate.half_width < 0.75 * (first + second)
 
 
+@pytest.mark.parametrize("cubic", [1.715, 1.72, 1.73, 1.75])
+def test_a_last_difference_that_is_small_by_chance_says_little(cubic):
+    """An error of h^2 - c h^3, which is nearly the same at a half and at a quarter."""
+    values = [(k, 2.0 + k**-2 - cubic * k**-3) for k in (1.0, 2.0, 4.0)]
+    estimate = extrapolated(values)
+    assert estimate.order > 4.0
+    assert abs(values[0][1] + estimate.change - 2.0) <= estimate.half_width < 0.1
+
+
 def test_three_values_at_unequal_ratios_go_on_from_the_two_finest():
     """What lies before them may be of another kind: here it is the same as the next."""
     values = [(1.0, 5.0), *ladder(1.0, (4.0, 8.0), 4.0, 4.0)]

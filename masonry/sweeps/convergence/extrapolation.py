@@ -60,7 +60,10 @@ def extrapolated(values: Sequence[tuple[float, float]], scatter: float = 0.0) ->
         order = log(before / last) / log(ratio)
         remains = [_remainder(last, ratio, p) for p in (_believed(order), *USUAL_ORDERS)]
         spread = max(abs(remainder - remains[0]) for remainder in remains)
-        return Estimate(so_far + remains[0], max(spread, OF_THREE * abs(remains[0])), order)
+        slower = _remainder(
+            before / ratio**HIGHEST_ORDER, ratio, HIGHEST_ORDER
+        )  # behind a last one not small by chance
+        return Estimate(so_far + remains[0], max(spread, OF_THREE * abs(remains[0]), OF_THREE * abs(slower)), order)
     grows = before * last > 0.0
     return Estimate(so_far, (GROWING if grows else WIDENED) * max(abs(before), abs(last)))
 
