@@ -300,7 +300,7 @@ def sensitivity(
     out      folder of results; without it the next free results/SCENE-sensitivity-N
     only     kinds of variants; all that make sense for the scene where none is named
     quick    one variant of each kind, and none of the slow kinds
-    workers  processes (default: all processors); tell is called with a line for each run that ends
+    workers  processes (default: all processors; 0: in this one); tell is called with a line for each run that ends
     form     of the picture: "png", "pdf" or "svg"
     What comes back prints as `masonry sensitivity` does; `.rows` are dictionaries. Raises SceneError or GeometryError
     before anything runs.
@@ -316,7 +316,7 @@ def sensitivity(
     from masonry.sweeps.sensitivity.sensitivity import sensitivity as compare
 
     folder = None if out is None else path("out", out)
-    workers = None if workers is None else whole("workers", workers, 1, 10_000)
+    workers = None if workers is None else whole("workers", workers, 0, 10_000)
     kinds, quick, tell = words("only", only), flag("quick", quick), called("tell", tell, None)
     return compare(_scene(scene), folder, kinds, quick, workers, tell, form=form)
 

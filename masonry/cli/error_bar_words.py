@@ -4,7 +4,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from masonry.errors import SceneError, visible
+from masonry.cli.commands.study_words import require_workers
+from masonry.errors import visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, complain, tell
@@ -15,9 +16,8 @@ def run_with_bar(words: argparse.Namespace) -> int:
     from masonry.laboratory.run_command import run
     from masonry.sweeps.error_bars.run_with_bar import begin_refinement, forget
 
-    workers = processors() if words.workers is None else words.workers
-    if workers < 0:
-        raise SceneError(f"--workers {workers}: 0 (all in this process) or more")
+    words.workers = processors() if words.workers is None else words.workers
+    require_workers(words)
     folders: list[Path] = []
 
     def begin(scene: Any, out: Path) -> None:
@@ -30,7 +30,7 @@ def run_with_bar(words: argparse.Namespace) -> int:
     finally:
         if code != OK and folders:
             forget(folders[0])
-    return _refine(folders[0], workers, words.quiet, is_new=True) if code == OK else code
+    return _refine(folders[0], words.workers, words.quiet, is_new=True) if code == OK else code
 
 
 def resume_with_bar(words: argparse.Namespace) -> int:

@@ -29,9 +29,9 @@ def add_folder(words: ArgumentParser, study: str) -> None:
 
 
 def require_workers(words: Namespace) -> None:
-    """Raise SceneError for less than one process."""
-    if words.workers < 1:
-        raise SceneError(f"--workers {words.workers}: 1 or more")
+    """Raise SceneError for a number of processes that is none."""
+    if words.workers < 0:
+        raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
 
 
 def unless_interrupted(study: Callable[[], Any]) -> tuple[Any, int]:

@@ -111,7 +111,7 @@ def test_what_is_wrong_is_one_message(capsys, tmp_path):
         ("--to", "40 %"): "--to 40 %: an error from '0.01 %'",
         ("--to", "1 mm"): "such as '1 %'",
         ("--cost", "0.5"): "1 or more",
-        ("--workers", "0"): "1 or more",
+        ("--workers", "-1"): "0 (all in this process) or more",
     }.items():
         assert main(["converge", "couplet", *words, "--out", str(tmp_path / "out"), "--quiet"]) == 2
         error = capsys.readouterr().err

@@ -109,7 +109,7 @@ def test_listing_runs_nothing_and_wrong_words_are_one_message(tmp_path, monkeypa
     for words in (
         ["nowhere"],
         ["couplet", "--only", "cell"],
-        ["couplet", "--workers", "0"],
+        ["couplet", "--workers", "-1"],
         ["couplet", "--set", "x=1"],
     ):
         assert main(["sensitivity", *words]) == 2

@@ -8,8 +8,7 @@ the same command goes on.
 from collections import Counter
 from pathlib import Path
 
-from masonry.cli.commands.study_words import unless_interrupted
-from masonry.errors import SceneError
+from masonry.cli.commands.study_words import require_workers, unless_interrupted
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, Parser, add_format, complain, tell
 
@@ -39,8 +38,7 @@ def parser() -> Parser:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command; returns the exit code. Raises SceneError with one message before anything is written."""
     words = parser().parse_args(arguments)
-    if words.workers < 0:
-        raise SceneError(f"--workers {words.workers}: 0 (all in this process) or more")
+    require_workers(words)
     from masonry.sweeps.planned_runs import listing
     from masonry.sweeps.read import read
     from masonry.sweeps.sweep_run import Running, planned_of, run_sweep

@@ -24,11 +24,11 @@ def record_of(errors: Sequence[NumericalError], runs: Ended) -> RefinedNumbers:
         for error in errors
         if isfinite(error.half_width)
     }
-    refined: dict[str, float] = {}
+    refined = {name: 1.0 for error in errors for name in error.parts}
     for trial, row in runs:
-        if row["status"] == OK and trial.factor > 1.0:
+        if row["status"] == OK:
             for name, factor in trial.members or ((trial.name, trial.factor),):
-                refined[name] = max(refined.get(name, 1.0), factor)
+                refined |= {name: max(refined[name], factor)} if name in refined else {}
     return RefinedNumbers(numbers, refined)
 
 

@@ -53,20 +53,21 @@ def sensitivity(
     out      folder, else the next free results/SCENE-sensitivity-N; what is done of this scene there is kept
     only     kinds of variants, such as ["pace", "plates"]; all that make sense where none is named
     quick    one variant of each kind, without those that cost several times the base
-    workers  processes (default: all processors); tell is called with a line for each run that ends
+    workers  processes (default: all processors; 0: one run after the other in this one)
+    tell     is called with a line for each run that ends
     form     of the picture, one of FORMATS
     Raises SceneError or GeometryError before anything runs. A variant that cannot be built, or is stopped, is a row.
     """
     require_format(form)
     require_axles_to_load(scene)
     chosen = variants(assemble(scene), only, quick)
-    if workers is not None and workers < 1:
-        raise SceneError(f"{workers} workers: 1 or more")
+    if workers is not None and workers < 0:
+        raise SceneError(f"{workers} workers: 0 (all in this process) or more")
     folder = begin(scene, "sensitivity", TABLE, DOING, None if out is None else Path(out), overwrite)
     if tell is not None:
         tell(f"{len(chosen)} runs, results in '{folder}'")
     with sole(folder, DOING):
-        rows = study(scene, folder, chosen, workers or processors(), tell)
+        rows = study(scene, folder, chosen, processors() if workers is None else workers, tell)
         _write(scene, folder, rows, form)
     return Sensitivity(folder, rows)
 

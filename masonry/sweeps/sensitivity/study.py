@@ -7,6 +7,7 @@ from typing import Any
 
 from masonry.judgement.sentence import trust
 from masonry.results.summary import read_summary
+from masonry.rows.columns import CRUSHING, DASHPOT, DISSIPATED, TAKEN_BY_ELEMENTS
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene
 from masonry.sweeps.engine import run_alone
@@ -18,8 +19,8 @@ from masonry.sweeps.work import OK
 
 TABLE = "sensitivity.json"
 DOING = "compares variants of a scene in it"
-DISSIPATED = ("energy_j.fracture_mode_1", "energy_j.fracture_mode_2", "energy_j.friction")
-CRUSHING = "energy_j.crushing"
+LOSSES = tuple(f"energy_j.{column}" for column in (*DISSIPATED, CRUSHING, DASHPOT, *TAKEN_BY_ELEMENTS))
+"""Energies that are dissipated, of those that a run has."""
 
 
 @dataclass(frozen=True)
@@ -65,10 +66,9 @@ def study(
 
 
 def _row(variant: Variant, ended: Row, folder: Path) -> dict[str, Any]:
-    modelled = (CRUSHING,) if ended.get(CRUSHING) is not None else ()
-    parts = [ended.get(key) for key in (*DISSIPATED, *modelled)]
+    parts = [ended[key] for key in LOSSES if isinstance(ended.get(key), float)]
     numbers: dict[str, Any] = {figure.key: ended.get(figure.key) for figure in FIGURES}
-    numbers["dissipated_j"] = sum(parts) if all(isinstance(part, float) for part in parts) else None
+    numbers["dissipated_j"] = sum(parts) if parts else None
     return {
         "variant": variant.name,
         "kind": variant.kind,
