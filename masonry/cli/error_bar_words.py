@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from masonry.cli.commands.study_words import require_workers
+from masonry.cli.study_words import require_workers
 from masonry.errors import visible
 from masonry.runtime.ending import code_of, word_of
 from masonry.runtime.processors import processors

@@ -8,7 +8,7 @@ the same command goes on.
 from collections import Counter
 from pathlib import Path
 
-from masonry.cli.commands.study_words import require_workers, unless_interrupted
+from masonry.cli.study_words import require_workers, unless_interrupted
 from masonry.runtime.processors import processors
 from masonry.runtime.shell import OK, STOPPED, Parser, add_format, complain, tell
 

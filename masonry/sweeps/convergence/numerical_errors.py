@@ -1,7 +1,7 @@
 """The error of each number of a scene, from the runs of a campaign."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import hypot
 
 from masonry.sweeps.convergence.answers import Answer, Value, value_of
@@ -42,7 +42,7 @@ class NumericalError:
     parts: dict[str, float]
     scatter: float
     interval: float
-    unseen: dict[str, float]
+    unseen: dict[str, float] = field(default_factory=dict)
 
     @property
     def error(self) -> float:
