@@ -15,6 +15,7 @@ from masonry.cli.main import APART, OF_VERIFICATION, main
 from masonry.errors import SceneError, Stopped
 from masonry.laboratory.text import Report
 from masonry.runtime.processors import processors
+from masonry.sweeps.error_bars import check_line
 from tests.results.sample import sample
 
 REPORT = Report(
@@ -60,6 +61,7 @@ def laboratory(monkeypatch, tmp_path):
         return sample()
 
     fake.run, fake.check = run, lambda loaded: REPORT
+    monkeypatch.setattr(check_line, "error_bar_line", lambda loaded: "masonry run --error-bar says how far it is off")
     monkeypatch.setitem(sys.modules, "masonry.laboratory.laboratory", fake)
     monkeypatch.setattr(masonry.laboratory, "laboratory", fake, raising=False)
     return fake
@@ -212,6 +214,7 @@ def test_check_prints_every_part_of_the_report_aligned(laboratory, capsys):
         "2 min 10 s",
         "gravity",
         "the drive is fast",
+        "masonry run --error-bar",
     ):
         assert words in said
     assert len({len(line) - len(line.split("  ", 1)[1].lstrip()) for line in lines if "  " in line}) == 1

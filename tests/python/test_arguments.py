@@ -72,13 +72,13 @@ def test_numbers_of_numpy_are_numbers():
 
 
 @pytest.mark.parametrize(
-    "words", [{"only": 5}, {"only": [5]}, {"only": None}, {"workers": "2"}, {"workers": 0}, {"out": 5}, {"quick": 1}]
+    "words", [{"only": 5}, {"only": [5]}, {"only": None}, {"workers": "2"}, {"workers": -1}, {"out": 5}, {"quick": 1}]
 )
 def test_a_sensitivity_says_which_of_its_words_is_wrong(words):
     refused(lambda: masonry.sensitivity("couplet", **words), f"{next(iter(words))} = ")
 
 
-@pytest.mark.parametrize("words", [{"of": 5}, {"cost": "2"}, {"cost": 0.5}, {"workers": 0}, {"out": 5}, {"tell": 1}])
+@pytest.mark.parametrize("words", [{"of": 5}, {"cost": "2"}, {"cost": 0.5}, {"workers": -1}, {"out": 5}, {"tell": 1}])
 def test_a_convergence_says_which_of_its_words_is_wrong(words):
     refused(lambda: masonry.converge("couplet", **words), f"{next(iter(words))} = ")
 
