@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from masonry.results.data import ResultData
 
 COLOUR = "#6a3d9a"
-LABEL = "without end (95 %)"
+LABEL = "95 % bar"
 ROOM = 0.5
 """Part of the height of the picture by which bars may make it higher; a longer one goes out of it."""
 KNOWN = 0.25

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from masonry.curves.curve_axes import curve_axes
-from masonry.curves.error_bars import bar_words, draw_bars
+from masonry.curves.error_bars import draw_bars
 from masonry.curves.ledger import LEDGER, draw_ledger
 from masonry.curves.measured import draw_measured
 from masonry.pictures.labels import PointLabel, key_below, key_beside, place_labels
@@ -94,8 +94,7 @@ def peak_labels(result: "ResultData", drawn: Loops) -> list[PointLabel]:
         sides.append(("lowest", lowest, float(axes.across[lowest_row(stood)])))
     return [
         PointLabel(
-            f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}"
-            + (bar_words(result, axes.factor, axes.unit) if word == "highest" else ""),
+            f"{word} {stress * axes.factor:.4g} {axes.unit} at {place:.4g} {axes.across_unit}",
             (place, stress * axes.factor),
             RED,
         )
