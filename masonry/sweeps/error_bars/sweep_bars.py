@@ -58,7 +58,8 @@ def _errors_of(job: Job, folder: Path, running: Running, tell: Tell | None) -> l
     )
     if not campaign.resolutions:
         return []
-    errors, done = Runner(folder, (), running.workers, tell, running.executor).measured(campaign)
+    runner = Runner(folder, (), workers=running.workers, executor=running.executor, tell=tell)
+    errors, done = runner.measured(campaign)
     record_in_base(folder, errors, done)
     return errors
 
