@@ -54,7 +54,7 @@ def figure_of(title: str, errors: Sequence[NumericalError], runs: Ended, chosen:
 
 
 def _scale(axes: Any, width: float, shown: Sequence[tuple[float, float]]) -> None:
-    """Axes that hold all points, and errors down to the bar in logarithms."""
+    """Axes that hold all points, and are logarithmic where values lie far apart: times, or errors and the bar (%)."""
     from matplotlib.ticker import FuncFormatter
 
     seconds = [x for x, _ in shown]
@@ -63,9 +63,12 @@ def _scale(axes: Any, width: float, shown: Sequence[tuple[float, float]]) -> Non
         axes.xaxis.set_major_formatter(FuncFormatter(_as_number))
     else:
         axes.set_xlim(0.0, 1.1 * max(seconds))
-    axes.set_yscale("symlog", linthresh=max(width, 1e-6))
-    axes.yaxis.set_major_formatter(FuncFormatter(_as_number))
-    axes.set_ylim(0.0, 1.5 * max(width, *(y for _, y in shown)) or None)
+    highest, room = max(width, *(y for _, y in shown)), 1.1
+    if highest > WIDE * width:
+        axes.set_yscale("symlog", linthresh=max(width, 1e-6))
+        axes.yaxis.set_major_formatter(FuncFormatter(_as_number))
+        room = 1.5
+    axes.set_ylim(0.0, room * highest or None)
 
 
 def _decisive(errors: Sequence[NumericalError], chosen: ChosenSettings) -> NumericalError:
