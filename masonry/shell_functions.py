@@ -89,7 +89,7 @@ def converge(
     of: Sequence[str] = (),
     to: str | float | None = None,
     cost: float | None = None,
-    workers: int | None = None,
+    workers: Any = None,
     tell: Callable[[str], None] | None = None,
     form: str = "png",
     modes: int | None = None,
@@ -101,7 +101,8 @@ def converge(
     of       numbers of summary.json by dotted name; peak, displacement there and so on where none is named
     to       an error, "1 %" or 0.01: settings whose numbers have no larger one are chosen as well
     cost     times the scene itself that all other runs may take: 6 where none is given, with tets 8
-    workers  processes (default: all processors; 0: in this one); tell is called with a line for each run that ends
+    workers  processes (default: all processors; 0: in this one), or what does the runs in their place: a Dask client,
+             the address of its scheduler, an executor of concurrent.futures; tell is called with a line for each run that ends
     form     of the picture: "png", "pdf" or "svg"
     modes    the frequencies of so many modes, in place of the numbers of a run
     What comes back prints as `masonry converge` does; `.errors` has value, limit, error and the half_width of the 95 %
@@ -119,7 +120,7 @@ def converge(
     from masonry.sweeps.convergence.convergence import converge as refine
 
     folder = None if out is None else path("out", out)
-    workers = None if workers is None else whole("workers", workers, 0, 10_000)
+    workers = whole("workers", workers, 0, 10_000) if isinstance(workers, int | float) else workers
     cost, tell = None if cost is None else number("cost", cost, 1.0, 1e6), called("tell", tell, None)
     numbers = words("of", of) if modes is None else frequency_keys(whole("modes", modes, 1, 100))
     if of and modes is not None:

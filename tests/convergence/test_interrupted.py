@@ -5,11 +5,13 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from shutil import rmtree
 
 import pytest
 import tomli_w
 
+from masonry.errors import SceneError
 from masonry.scene import load
 from masonry.sweeps.convergence.convergence import converge
 from tests.convergence.samples import TIPPED
@@ -67,3 +69,11 @@ def test_a_command_that_is_killed_goes_on_to_the_same_table(whole, tmp_path):
     assert not (out / "convergence.csv").exists()
     done = subprocess.run([*words, "--out", str(out)], capture_output=True, text=True, check=True)
     assert "are done already" in done.stderr and table(out) == table(whole.folder)
+
+
+def test_runs_that_an_executor_does_make_the_same_table(whole, tmp_path):
+    with ThreadPoolExecutor(1) as executor:
+        result = converge(load(TIPPED), tmp_path / "out", cost=ENOUGH, workers=executor)
+    assert table(result.folder) == table(whole.folder)
+    with pytest.raises(SceneError, match="give a Dask client"):
+        converge(load(TIPPED), tmp_path / "out", workers=3.5)

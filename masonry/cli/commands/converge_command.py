@@ -38,6 +38,7 @@ def parser() -> Parser:
     )
     words.add_argument("--list", action="store_true", help="say what the first runs would set, and run nothing")
     add_folder(words, "convergence")
+    words.add_argument("--scheduler", metavar="ADDRESS", help="run on the Dask cluster of this scheduler instead")
     return words
 
 
@@ -67,7 +68,7 @@ def main(arguments: list[str] | None = None) -> int:
             of=numbers,
             to=words.to,
             cost=words.cost,
-            workers=words.workers,
+            workers=words.scheduler or words.workers,
             tell=heard,
             overwrite=words.overwrite,
             form=words.format,

@@ -16,6 +16,7 @@ from masonry.runtime.named_file import FORMATS, remove_pictures, require_format
 from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell, duration
 from masonry.scene import Scene
+from masonry.sweeps import cluster
 from masonry.sweeps.convergence import chosen_settings, convergence_table
 from masonry.sweeps.convergence.analyses import RUN, analysis_of
 from masonry.sweeps.convergence.answers import require_answer
@@ -80,7 +81,7 @@ def converge(
     of: Sequence[str] = (),
     to: str | float | None = None,
     cost: float | None = None,
-    workers: int | None = None,
+    workers: Any = None,
     tell: Tell | None = None,
     overwrite: bool = False,
     form: str = FORMATS[0],
@@ -92,14 +93,18 @@ def converge(
              peak, displacement there, load factor and so on where none is named
     to       an error, "1 %" or 0.01: settings are chosen by which no number has a larger one, see `ChosenSettings`
     cost     times the scene itself that all other runs may take (default 6, with tets 8)
-    workers  processes (default: all processors; 0: one run after the other in this one)
+    workers  processes (default: all processors; 0: one run after the other in this one), or what does the runs in their
+             place, as `executor` of `engine.run`
     tell     is called with a line for each run that ends
     form     of the picture, one of FORMATS
     Raises SceneError or GeometryError before anything runs.
     """
     require_format(form)
-    if workers is not None and workers < 0:
-        raise SceneError(f"{workers} workers: 0 (all in this process) or more")
+    count, executor = (workers, None) if workers is None or isinstance(workers, int) else (0, workers)
+    if count is not None and count < 0:
+        raise SceneError(f"{count} workers: 0 (all in this process) or more")
+    if executor is not None:
+        cluster.require(executor)
     largest, analysis = require_words(scene, of, to, cost), analysis_of(of)
     if analysis is RUN:
         require_axles_to_load(scene)
@@ -110,7 +115,7 @@ def converge(
     if tell is not None:
         tell(_forecast(campaign, folder))
     with sole(folder, DOING):
-        runner = Runner(folder, of, processors() if workers is None else workers, tell)
+        runner = Runner(folder, of, processors() if count is None else count, tell, executor)
         errors, done = runner.measured(campaign, runs_beside(scene) if analysis.scatters else [])
         besides = [item for error in errors if (item := beside(error.answer, done)) is not None]
         remarks = [*sentences(besides, done, scene.moves_in_time), *not_refined(scene)]
@@ -174,8 +179,7 @@ class Runner:
     ) -> list[tuple[Refinement, Row]]:
         """base: the row of the scene as it is; the first of this round where there is none yet"""
         jobs = [campaign.analysis.job(campaign.scene, trial.settings, trial.label) for trial in trials]
-        how = self.workers, self.tell, self.executor
-        rows = run_alone(jobs, self.folder, *how, needs_first=base is None) if jobs else []
+        rows = run_alone(jobs, self.folder, self.workers, self.tell, self.executor, base is None) if jobs else []
         rows = campaign.analysis.measured(rows, base or rows[0], self.folder) if rows else []
         return list(zip(trials, rows, strict=False))  # of a scene that does not come to its end there is its own row
 
