@@ -111,12 +111,13 @@ def converge(
     campaign = Campaign(scene, cost, analysis)
     if not campaign.resolutions:
         raise SceneError(f"'{scene.name}' has nothing that could be refined: its answer has no error of resolution")
+    others = runs_beside(scene) if analysis.scatters else []
     folder = begin(scene, PICTURE, TABLE, DOING, None if out is None else Path(out), overwrite)
     if tell is not None:
-        tell(_forecast(campaign, folder))
+        tell(_forecast(campaign, others, folder))
     with sole(folder, DOING):
         runner = Runner(folder, of, processors() if count is None else count, tell, executor)
-        errors, done = runner.measured(campaign, runs_beside(scene) if analysis.scatters else [])
+        errors, done = runner.measured(campaign, others)
         besides = [item for error in errors if (item := beside(error.answer, done)) is not None]
         remarks = [*sentences(besides, done, scene.moves_in_time), *not_refined(scene)]
         chosen = None
@@ -129,11 +130,11 @@ def converge(
     return result
 
 
-def _forecast(campaign: Campaign, folder: Path) -> str:
-    """A line before the runs: how many there are at first, and about how long all of them take."""
-    seconds = campaign.size.seconds * (1.0 + campaign.limit)
+def _forecast(campaign: Campaign, others: Sequence[Refinement], folder: Path) -> str:
+    """A line before the runs: how many there are at first, and about how long all of them take, those beside too."""
+    seconds = campaign.size.seconds * (1.0 + campaign.limit + sum(trial.cost for trial in others))
     about = f", about {duration(seconds)} of processor in all" if campaign.analysis.is_timed else ""
-    return f"{len(campaign.first())} runs at first{about}, results in '{folder}'"
+    return f"{len(campaign.first()) + len(others)} runs at first{about}, results in '{folder}'"
 
 
 def require_words(scene: Scene, of: Sequence[str], to: str | float | None, cost: float | None) -> float | None:
