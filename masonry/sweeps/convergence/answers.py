@@ -32,6 +32,8 @@ LIMIT, EXACT = (
     "optimum is exact but for its duality gap",
 )
 """Names of the factor of a limit analysis, and why it has no error of resolution."""
+NEARLY = 0.99
+"""Fraction of the peak from which on a row beside it may be the peak as well."""
 ELASTIC = 0.1
 """Fraction of the peak up to which the secant of a curve is its initial stiffness."""
 NOTHING = 1e-6
@@ -178,14 +180,22 @@ def _initial_stiffness(folder: Path) -> float | None:
 
 
 def _rows_apart_at_peak(folder: Path, place: float) -> float | None:
-    """How far the rows beside that of the peak lie from it, the farther one, over the displacement there: where a peak
-    is flat, one of them is as good."""
+    """How far from its row the peak may lie, over the displacement there: up to the next row, as it is seen once it is
+    passed, and up to the one before where that bears nearly as much."""
     try:
-        way = load_result(folder).history.rows["displacement"]
+        rows = load_result(folder).history.rows
+        way, stress = rows["displacement"], np.abs(rows["stress"])
     except (SceneError, KeyError):
         return None
     at = int(np.argmin(np.abs(way - place)))
-    return float(np.max(np.abs(way[max(at - 1, 0) : at + 2] - way[at])) / abs(place))
+    apart = [
+        abs(way[k] - way[at]) for k in (at + 1, at - 1) if 0 <= k < len(way) and (k > at or _is_flat(stress, k, at))
+    ]
+    return float(max(apart, default=0.0) / abs(place))
+
+
+def _is_flat(stress: np.ndarray, row: int, peak: int) -> bool:
+    return bool(stress[row] >= NEARLY * stress[peak])
 
 
 def value_of(row: Row, answer: Answer) -> Value | None:

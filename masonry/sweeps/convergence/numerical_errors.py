@@ -72,15 +72,14 @@ def error_of_values(
         return None
     base, middle = values[0][1], [(trial, _middle(value)) for trial, value in values]
     again = [number - _middle(base) for trial, number in middle if trial.name == SCATTER]
-    read = hypot(base.interval, base.reading)
-    scatter = hypot(max(map(abs, again), default=0.0), read)
+    scatter = hypot(max(map(abs, again), default=0.0), base.interval)
     unseen = {name: part * abs(base.number) for name, part in unresolved.items()}
     parts = {name: _with_unseen(part, unseen.get(name, 0.0)) for name, part in _parts(middle, scatter).items()}
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
     flat = [difference for difference in flat if abs(difference) > ROUNDING * abs(base.number)]  # that act at all
-    scattered = hypot(scatter_bar([*again, *flat]), read)
+    scattered = hypot(scatter_bar([*again, *flat]), base.interval, base.reading)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
     by_part = {name: -part.change for name, part in parts.items()}
