@@ -7,16 +7,11 @@ from math import hypot
 from masonry.sweeps.convergence.answers import Answer, Value, value_of
 from masonry.sweeps.convergence.campaign import BASE, DRAWN, NOT_REFINED, RIGID, SCATTER, TOGETHER, Refinement
 from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
-from masonry.sweeps.convergence.extrapolation import (
-    FLAT,
-    ROUNDING,
-    Estimate,
-    extrapolated,
-    scatter_bar,
-    together,
-)
+from masonry.sweeps.convergence.extrapolation import FLAT, Estimate, extrapolated, scatter_bar, together
 from masonry.sweeps.run_store import Row
 
+IDLE = 0.01
+"""Of the largest difference that is scatter: what differs by less does not act, and is no sample of it."""
 Ended = Sequence[tuple[Refinement, Row]]
 """The runs so far, the scene as it is first."""
 
@@ -78,7 +73,8 @@ def error_of_values(
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
-    flat = [difference for difference in flat if abs(difference) > ROUNDING * abs(base.number)]  # that act at all
+    most = max(map(abs, [*again, *flat]), default=0.0)
+    flat = [difference for difference in flat if abs(difference) > IDLE * most]
     scattered = hypot(scatter_bar([*again, *flat]), base.interval, base.reading)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
