@@ -1,4 +1,5 @@
-"""A load that goes to and fro on a block that slides, held by a bar: refined, it nears what it dissipates by hand."""
+"""A load that goes to and fro on a flat block that slides, held by a bar at its middle so that it does not tip:
+refined, it nears what it dissipates by hand."""
 
 import pytest
 
@@ -8,7 +9,7 @@ from masonry.scene import load
 from masonry.sweeps.convergence.answers import answers_of, require_answer
 from masonry.sweeps.convergence.convergence import converge
 
-FRICTION, SIZE, DENSITY, BAR, SHEAR, ABOVE = 0.5, (0.4, 1.0, 0.3), 2000.0, 2e9 * 1e-3 / 1.5, 5e9, 1e3
+FRICTION, SIZE, DENSITY, BAR, SHEAR, ABOVE = 0.5, (0.4, 1.0, 0.1), 6000.0, 2e9 * 1e-3 / 1.5, 5e9, 1e3
 FACTORS = (4.1, 0.3, 3.7)
 HELD = {
     "name": "held-block",
@@ -71,7 +72,7 @@ def test_what_a_load_to_and_fro_dissipates_nears_that_by_hand(held):
     error = next(error for error in held.errors if error.answer.key == "dissipated_j")
     assert error.value > 1.015 * dissipated()
     assert abs(error.limit - dissipated()) <= error.half_width < 0.04 * error.value
-    assert max(error.parts, key=lambda name: abs(error.parts[name])) == "trials"
+    assert error.parts["trials"] > 0.005 * error.value
 
 
 def test_a_factor_at_which_the_scene_ends_is_no_answer(held):

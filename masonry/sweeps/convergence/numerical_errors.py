@@ -73,8 +73,8 @@ def error_of_values(
     if not parts:
         return None
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
-    most = max(map(abs, [*again, *flat]), default=0.0)
-    flat = [difference for difference in flat if abs(difference) > IDLE * most]
+    largest = max(map(abs, [*again, *flat]), default=0.0)
+    flat = [difference for difference in flat if abs(difference) > IDLE * largest]
     scattered = hypot(scatter_bar([*again, *flat]), base.interval, base.reading)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change

@@ -46,7 +46,7 @@ class Compared:
 
     @cached_property
     def error(self) -> NumericalError:
-        """What is told of the number."""
+        """The error as it is told."""
         error = error_of_values(self.answer, self.runs, self.unresolved)
         assert error is not None
         return error
@@ -78,8 +78,8 @@ class Compared:
 
     def as_line(self) -> str:
         """JSON, with the errors told beside what they are made of."""
-        told = {"told": self.stated, "half_width": self.half_width, "real": self.real, "holds": self.holds}
-        return json.dumps(_plain(self) | {"relative": told}) + "\n"
+        relative = {"told": self.stated, "half_width": self.half_width, "real": self.real, "holds": self.holds}
+        return json.dumps(_plain(self) | {"relative": relative}) + "\n"
 
 
 def _plain(compared: Compared) -> dict[str, Any]:
@@ -106,7 +106,7 @@ def lines_of(path: Path) -> Iterator[dict[str, Any]]:
 
 
 def compared_of(line: Mapping[str, Any]) -> Compared:
-    """What a line of a file says."""
+    """The number of a line of a file."""
     runs = tuple(
         (
             Refinement(

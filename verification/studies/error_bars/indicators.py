@@ -1,4 +1,4 @@
-"""What a run measured of each doubt that it was asked, whether it was raised or not."""
+"""Measures of each doubt that a run was asked, whether it was raised or not."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
@@ -36,9 +36,9 @@ def indicators_of(folder: Path) -> tuple[Indicator, ...]:
 
 def _quiet(summary: Mapping[str, Any], raised: set[str]) -> list[Indicator]:
     evidence = Evidence(summary)
-    asked = [criterion for criterion in criteria() if criterion.name not in raised and criterion.asked_of(evidence)]
+    others = [criterion for criterion in criteria() if criterion.name not in raised and criterion.asked_of(evidence)]
     quiet = []
-    for criterion in asked:
+    for criterion in others:
         value = criterion.measure(evidence)
         if value is not None and not isinstance(value, bool):
             limit = criterion.limit(evidence) if callable(criterion.limit) else criterion.limit
