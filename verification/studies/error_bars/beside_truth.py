@@ -29,7 +29,7 @@ from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.work import OK
 from verification.studies.error_bars.compared import VISIBLE, Compared, append, compared_of, lines_of
-from verification.studies.error_bars.indicators import indicators_of
+from verification.studies.error_bars.measured_doubts import indicators_of
 from verification.studies.error_bars.random_scenes import KINDS, OF, scene_of
 
 BEYOND = 4.0

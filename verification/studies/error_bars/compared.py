@@ -10,7 +10,7 @@ from typing import Any
 from masonry.sweeps.convergence.answers import Answer, Value
 from masonry.sweeps.convergence.campaign import Refinement
 from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of_values
-from verification.studies.error_bars.indicators import Indicator
+from verification.studies.error_bars.measured_doubts import Indicator
 
 VISIBLE = 1e-5
 """Relative error from which on a bar is compared with it."""
