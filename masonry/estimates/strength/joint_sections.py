@@ -99,8 +99,8 @@ def strength(section: Section, law: Envelope, force: float, moment: float, farth
     its edge.
     """
     first, last = _looked_at(section, law, force, farthest)
-    if np.isinf(last):
-        return force * float(section.place.min())
+    if _is_dry(law):
+        return float(_dry(section, law, force, np.array([last]))[0])
     arm = _line_of_action(section, law, force, moment)
     fibres = len(section.place)
     turns = np.geomspace(first, last, max(TURNS // fibres, FEWEST))
@@ -117,8 +117,8 @@ def moments(
     """(T,) N m: what the same section bears at turns (T,) rad; beyond those that `strength` looks at, what it bears at
     the last of them."""
     last = _looked_at(section, law, force, farthest)[1]
-    if np.isinf(last):
-        return np.full(len(turns), force * float(section.place.min()))
+    if _is_dry(law):
+        return _dry(section, law, force, np.minimum(turns, last) if np.isfinite(last) else np.full(len(turns), last))
     arm = _line_of_action(section, law, force, moment)
     return _borne(section, law, force, arm, np.minimum(turns, last))
 
@@ -126,8 +126,8 @@ def moments(
 def _looked_at(section: Section, law: Envelope, force: float, farthest: float) -> tuple[float, float]:
     """rad: the turns between which the largest moment lies; infinite where a section turns about its edge."""
     presses = max(-force, 0.0) / (law.stiffness * float(section.area.sum()))
-    if law.limit == 0.0 and (presses == 0.0 or (np.isinf(law.crushes[1]) and np.isinf(farthest))):
-        return np.inf, np.inf
+    if _is_dry(law):
+        return farthest, farthest
     first = ELASTIC * (law.limit or presses) / section.depth
     last = max(farthest, 2.0 * first / ELASTIC)
     if law.limit > 0.0:
@@ -137,6 +137,32 @@ def _looked_at(section: Section, law: Envelope, force: float, farthest: float) -
     if np.isfinite(law.crushes[1]):
         last = max(last, OVER * law.crushes[1] / section.depth)
     return first, last
+
+
+def _is_dry(law: Envelope) -> bool:
+    """Whether it neither pulls nor crushes."""
+    return law.limit == 0.0 and bool(np.isinf(law.crushes[1]))
+
+
+def _dry(section: Section, law: Envelope, force: float, turns: np.ndarray) -> np.ndarray:
+    """(T,) N m: the moments that a section bears under a normal force (N) at turns (T,) rad, without tension: on the
+    fibres beside the edge, of which each closes as far as it lies from where the section opens; on the edge itself where
+    a turn has no end, or nothing presses."""
+    place, area = section.place, section.area
+    edge = np.full(len(turns), force * float(place.min()))
+    turned = np.isfinite(turns) & (force < 0.0)
+    if not turned.any():
+        return edge
+    order = np.argsort(place)
+    place, area = place[order], area[order]
+    sums = np.cumsum(area), np.cumsum(area * place), np.cumsum(area * place**2)
+    closing = place * sums[0] - sums[1]  # m3, of the fibres below each one where the section opens there, over the turn
+    strain = law.stiffness * turns[turned]
+    last = np.searchsorted(closing, -force / strain, side="right") - 1
+    total, first, second = (column[last] for column in sums)
+    opens = (-force / strain + first) / total
+    edge[turned] = strain * (second - opens * first)
+    return edge
 
 
 def _line_of_action(section: Section, law: Envelope, force: float, moment: float) -> float:
