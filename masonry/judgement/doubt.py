@@ -13,7 +13,7 @@ VERDICTS = (SOUND, WITH_CARE, STOPPED)
 
 
 POINTS, TETS, PACE, TIME_STEP = "points", "size of tets", "pace", "time step"
-"""What a doubt may tell the error of that `masonry converge` measures: the resolution that makes it smaller."""
+"""Resolutions of `masonry converge` whose error a doubt may tell."""
 
 
 class Doubt(NamedTuple):

@@ -63,8 +63,7 @@ def bent(
     limit = float(joint.tensile_strength or 0.0)
     if length == 0.0 or is_elastic(joint) or (limit == 0.0 and force >= 0.0):
         return None
-    normal, middle = faces.normal[face], faces.middle[face]
-    along = now.turn[face] / length
+    middle, along = faces.middle[face], now.turn[face] / length
     corners, moment = corners_of(faces, face), abs(float(now.moment[face] @ along))
     depth, tears_at = depth_of(corners @ along), limit / faces.stiffness[face]
     closes, turn = -force / (faces.stiffness[face] * faces.area[face]), turns[0]
@@ -72,13 +71,10 @@ def bent(
         not gave and moment < LEAST_ARM * depth * (limit * faces.area[face] - force)
     ):
         return None
-    cuts = NARROW
-    if limit == 0.0 and joint.compressive_strength is None:
-        turn, cuts = turns[1] if gave else np.inf, NARROWER
-    many = spread(faces.polygons[face], along, np.cross(normal, along), middle, cuts)
-    if np.isinf(turn):  # it turns about its very edge
-        many = of_points((corners - middle) @ along, np.ones(len(corners)))
-    elif not gave:
+    is_dry = limit == 0.0 and joint.compressive_strength is None
+    turn = turns[is_dry]
+    many = _many_fibres(faces, face, along, is_dry, turn)
+    if not gave:
         turn = max(turn, FURTHER * tears_at / many.depth)
     law = envelope(parameters, joint, 2.0 * turn * many.depth)
     bears = strength(many, law, force, moment, turn)
@@ -95,6 +91,15 @@ def bent(
         return moments(many if points is None else own(*points), law, force, moment, turn, times * length)
 
     return Borne(faces.contacts(face), False, gave, shares, moment / bears, by, at)
+
+
+def _many_fibres(faces: Faces, face: int, along: np.ndarray, is_dry: bool, turn: float) -> Section:
+    """A joint face across a direction; its very edges where it turns without end."""
+    middle, corners = faces.middle[face], corners_of(faces, face)
+    if np.isinf(turn):
+        return of_points((corners - middle) @ along, np.ones(len(corners)))
+    across = np.cross(faces.normal[face], along)
+    return spread(faces.polygons[face], along, across, middle, NARROWER if is_dry else NARROW)
 
 
 def by_many(polygons: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:

@@ -145,9 +145,11 @@ def _is_dry(law: Envelope) -> bool:
 
 
 def _dry(section: Section, law: Envelope, force: float, turns: np.ndarray) -> np.ndarray:
-    """(T,) N m: the moments that a section bears under a normal force (N) at turns (T,) rad, without tension: on the
-    fibres beside the edge, of which each closes as far as it lies from where the section opens; on the edge itself where
-    a turn has no end, or nothing presses."""
+    """(T,) N m: the moments that a section without tension bears under a normal force (N) at turns (T,) rad.
+
+    It bears on the fibres beside its edge, which close as far as they lie from where it opens; on the edge itself where
+    a turn has no end, or nothing presses.
+    """
     place, area = section.place, section.area
     edge = np.full(len(turns), force * float(place.min()))
     turned = np.isfinite(turns) & (force < 0.0)

@@ -74,11 +74,12 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     bends, slides = _shares(gave, now, looks[behind])
     if not (np.isfinite(bends).all() and np.isfinite(slides).all() and np.isfinite(turn).all()):
         return []
-    turns = [float(np.linalg.norm(looks[number].turn, axis=1).max()) for number in inspection.plateau]
-    farthest = max(turns, default=np.inf)
+    at_peak = [float(np.linalg.norm(looks[number].turn, axis=1).max()) for number in inspection.plateau]
+    farthest = max(at_peak, default=np.inf)
     matter: list[tuple[int, Borne]] = []
     for face in _largest(bends):
-        one = bent(assembly, faces, now, face, bool(gave[face]), (turn[face], farthest), bends[face])
+        turns = turn[face], farthest if gave[face] else np.inf
+        one = bent(assembly, faces, now, face, bool(gave[face]), turns, bends[face])
         matter += [] if one is None else [(face, one)]
     for face in _largest(slides):
         one = slid(assembly, faces, now, inspection.shear(peak), frames[peak], face, slides[face])

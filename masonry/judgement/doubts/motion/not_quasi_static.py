@@ -23,7 +23,7 @@ KINETIC = 0.05
 
 
 class Sign(NamedTuple):
-    """What shows that a test is dynamic.
+    """Sign of a test that is dynamic.
 
     number   of a run         limit  of it            words  with {value}, {percent} and {limit}
     asked_of  whether a run is asked      unknown  the sentence where it was not measured; "" where that is no doubt
@@ -88,13 +88,13 @@ SIGNS = (
 
 def signs(evidence: Evidence) -> list[tuple[Sign, float, float]]:
     """Those that a run is asked, with their numbers and limits, the furthest beyond first."""
-    asked = [(sign, sign.number(evidence), sign.limit(evidence)) for sign in SIGNS if sign.asked_of(evidence)]
-    measured = [(sign, value, limit) for sign, value, limit in asked if value is not None]
-    return sorted(measured, key=lambda one: -one[1] / one[2])
+    numbers = [(sign, sign.number(evidence), sign.limit(evidence)) for sign in SIGNS if sign.asked_of(evidence)]
+    measured = [(sign, value, limit) for sign, value, limit in numbers if value is not None]
+    return sorted(measured, key=lambda number: -number[1] / number[2])
 
 
 def unknown(evidence: Evidence) -> list[str]:
-    """What is said of each that a run is asked and whose number it lacks."""
+    """Sentences on each that a run is asked and whose number it lacks."""
     return [sign.unknown for sign in SIGNS if sign.asked_of(evidence) and sign.number(evidence) is None]
 
 
@@ -107,8 +107,8 @@ def worst(evidence: Evidence) -> float | None:
 
 def sentence(evidence: Evidence, value: float) -> str:
     """All that are beyond their limits."""
-    beyond = [(sign, number, limit) for sign, number, limit in signs(evidence) if number > limit]
-    words = [sign.words.format(value=n, limit=limit, percent=percent(min(n, 1.0))) for sign, n, limit in beyond]
+    exceeded = [(sign, number, limit) for sign, number, limit in signs(evidence) if number > limit]
+    words = [sign.words.format(value=n, limit=limit, percent=percent(min(n, 1.0))) for sign, n, limit in exceeded]
     return f"not quasi-static: {', and '.join(words)}"
 
 
