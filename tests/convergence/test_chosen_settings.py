@@ -11,7 +11,7 @@ from masonry.scene import Scene, changed, load
 from masonry.sweeps.convergence.answers import ANSWERS
 from masonry.sweeps.convergence.campaign import BASE, SCATTER, Campaign, Refinement
 from masonry.sweeps.convergence.error_picture import figure_of
-from masonry.sweeps.convergence.next_settings import Proposal, Steps
+from masonry.sweeps.convergence.next_settings import Proposal, Steps, narrower
 from masonry.sweeps.convergence.numerical_errors import error_of
 from masonry.sweeps.convergence.settings_search import choose
 from tests.convergence.samples import TIPPED
@@ -161,3 +161,9 @@ def test_the_picture_marks_the_scene_as_it_is_and_the_cheapest_good_settings():
     (first,), (best,) = marked["scene as it is"], marked["cheapest good: converged.toml"]
     assert first == pytest.approx([1.0, 100 * 2.0 / 3**2], rel=0.05)
     assert best[0] == pytest.approx(chosen.best.seconds) and best[1] < 1.0
+
+
+def test_the_interval_of_a_load_factor_becomes_a_quarter_of_the_error_asked_for():
+    scene = load("wall-tied")
+    assert narrower(scene, 0.01) == {"limit.accuracy": 0.0025}
+    assert narrower(scene, 0.2) == {} and narrower(load(TIPPED), 0.01) == {}

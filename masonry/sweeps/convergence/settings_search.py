@@ -7,6 +7,7 @@ from typing import Any
 
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene, changed
+from masonry.sweeps.convergence.answers import BORNE
 from masonry.sweeps.convergence.campaign import Campaign
 from masonry.sweeps.convergence.chosen_settings import (
     SHORT,
@@ -123,7 +124,8 @@ class _Search:
         scene = changed(self.scene, now.settings)
         makeups, steps = [makeup_of(error, now.runs, self.to) for error in aims], Steps(self.plan(scene))
         so_far = now.seconds / max(self.tried[0].seconds, SHORTEST)
-        narrow, proposal = narrower(scene, self.to), steps.finer(makeups, self.to, DEAREST / so_far)
+        narrow = narrower(scene, self.to) if any(error.answer.key == BORNE for error in aims) else {}
+        proposal = steps.finer(makeups, self.to, DEAREST / so_far)
         if proposal is None and not narrow:
             if steps.finer(makeups, self.to) is None:
                 self._give_up(aims, NOTHING_FINER)
