@@ -110,9 +110,16 @@ def test_what_is_within_reach_is_refined_beside_what_scatters():
 
 def test_what_would_cost_too_much_is_left():
     chosen = MadeUp(of_pace=100.0).choose(0.001)
-    assert "times the time of the scene" in chosen.unreached[PEAK] and chosen.best.largest() > 0.001
+    assert "would take more than 10 times its time" in chosen.unreached[PEAK] and chosen.best.largest() > 0.001
     assert max(tried.seconds for tried in chosen.tried) < 20.0
     assert chosen.best.largest() < 0.5 * chosen.tried[0].largest(), "as good as it became"
+
+
+def test_a_search_ends_where_all_its_runs_took_a_hundred_times_the_scene(monkeypatch):
+    monkeypatch.setattr("masonry.sweeps.convergence.settings_search.LONGEST", 3.0)
+    chosen = MadeUp(of_points=2.0, seconds=0.05).choose(0.001)
+    assert chosen.unreached == {PEAK: "the search took 3 times the time of the scene"}
+    assert len(chosen.tried) == 1 and chosen.settings == {}
 
 
 def test_settings_whose_run_is_stopped_are_not_chosen():

@@ -27,6 +27,8 @@ ROUNDS = 6
 """Refinements one after the other, at most."""
 DEAREST = 10.0
 """Times the scene as it is that a run may be expected to take."""
+LONGEST = 100.0
+"""Times the scene as it is that all runs may have taken before another round."""
 SHORTEST = 1e-3
 """Seconds of a run that are counted at least."""
 TRIES = 2
@@ -79,8 +81,9 @@ class _Search:
             if not self._refine(number):
                 break
         else:
-            self.dear += [error.answer.key for error in self._aims(self.tried[-1])]
-            self._give_up(self._aims(self.tried[-1]), f"{ROUNDS} refinements one after the other were not enough")
+            self._leave_for_cost(
+                self._aims(self.tried[-1]), f"{ROUNDS} refinements one after the other were not enough"
+            )
         within = [
             tried for tried in self.tried if tried.largest(list(self.unreached)) <= self.to and self._is_better(tried)
         ]
@@ -94,6 +97,11 @@ class _Search:
         missed = {e.answer.key for e in best.errors if e.value and relative(e) > self.to}
         unreached = {key: why for key, why in self.unreached.items() if key in missed}
         return ChosenSettings(best, self.tried, self.to, unreached)
+
+    def _spent(self) -> float:
+        """Seconds of processor of all runs so far."""
+        runs = {row["key"]: row.get("seconds_processor_run") or 0.0 for tried in self.tried for _, row in tried.runs}
+        return float(sum(runs.values()))
 
     def _is_better(self, tried: Settings) -> bool:
         """Whether numbers that are out of reach are about as good as they became, where that is worth it."""
@@ -114,6 +122,12 @@ class _Search:
         for error in errors:
             self.unreached[error.answer.key] = why
 
+    def _leave_for_cost(self, errors: Sequence[NumericalError], why: str) -> bool:
+        """Leave numbers for their cost; there is no other round then."""
+        self._give_up(errors, why)
+        self.dear += [error.answer.key for error in errors]
+        return False
+
     def _refine(self, number: int) -> bool:
         """One round; False where there is nothing more to do."""
         now = self.tried[-1]
@@ -121,24 +135,23 @@ class _Search:
         aims = self._aims(now)
         if not aims:
             return False
+        if self._spent() > LONGEST * self.tried[0].seconds:
+            return self._leave_for_cost(aims, f"the search took {LONGEST:g} times the time of the scene")
         scene = changed(self.scene, now.settings)
         makeups, steps = [makeup_of(error, now.runs, self.to) for error in aims], Steps(self.plan(scene))
         so_far = now.seconds / max(self.tried[0].seconds, SHORTEST)
         narrow = narrower(scene, self.to) if any(error.answer.key == BORNE for error in aims) else {}
         proposal = steps.finer(makeups, self.to, DEAREST / so_far)
         if proposal is None and not narrow:
-            if steps.finer(makeups, self.to) is None:
-                self._give_up(aims, NOTHING_FINER)
-            else:
-                self._give_up(aims, f"finer settings would take more than {DEAREST:g} times the time of the scene")
-                self.dear += [error.answer.key for error in aims]
+            if steps.finer(makeups, self.to) is not None:
+                return self._leave_for_cost(aims, f"finer settings would take more than {DEAREST:g} times its time")
+            self._give_up(aims, NOTHING_FINER)
             return False
-        spent = so_far * (proposal.cost if proposal is not None else 1.0)
-        settings = (steps.settings(proposal) if proposal is not None else {}) | narrow
-        self._say(f"round {number}", makeups, settings, proposal, spent)
-        why = {"limit.accuracy": {"": "narrower: the interval of a load factor"}} if narrow else {}
-        if proposal is not None:
-            why |= _reasons(steps, proposal, lambda name: _made_up(name, makeups))
+        proposal = proposal or Proposal({}, 1.0)
+        settings = steps.settings(proposal) | narrow
+        self._say(f"round {number}", makeups, settings, proposal, so_far * proposal.cost)
+        why = dict.fromkeys(narrow, {"": "narrower: the interval of a load factor"})
+        why |= _reasons(steps, proposal, lambda name: _made_up(name, makeups))
         ended = self._measured(now, settings, why)
         status = ended.runs[0][1]["status"]
         if status != OK or not ended.errors:
@@ -162,12 +175,11 @@ class _Search:
                 self._give_up([error], "finer settings do not make it smaller")
 
     def _say(
-        self, what: str, makeups: Sequence[Makeup], settings: dict[str, Any], proposal: Proposal | None, spent: float
+        self, what: str, makeups: Sequence[Makeup], settings: dict[str, Any], proposal: Proposal, spent: float
     ) -> None:
         """A line of a round: the worst number and what it comes from, what is set, and how long a run takes."""
         worst = max(makeups, key=lambda makeup: makeup.error)
-        names = proposal.factors if proposal is not None else {}
-        parts = ", ".join(f"{name} {percent(worst.part(name))}" for name in names if worst.part(name) > 0.0)
+        parts = ", ".join(f"{name} {percent(worst.part(name))}" for name in proposal.factors if worst.part(name) > 0.0)
         sets = ", ".join(f"{key} = {toml_of(value)}" for key, value in settings.items())
         made = f" ({parts})" if parts else ""
         self.tell(f"{what}: {worst.words} within {percent(worst.error)}{made}; {sets}: {spent:.2g} times the scene")
