@@ -59,7 +59,7 @@ __all__ = [
     "ContactTable", "Convergence", "GeometryError", "LimitResult", "ModesResult", "PageView", "Report", "Result",
     "Scene", "SceneError", "Sensitivity", "Stopped", "SweepResult",
 ]  # fmt: skip
-CLASSES = {
+CLASSES = {  # that functions give back and raise, and their modules
     "ContactTable": "masonry.materials.contact_table",
     "Convergence": "masonry.sweeps.convergence.convergence",
     "GeometryError": "geometry.errors",
@@ -74,7 +74,6 @@ CLASSES = {
     "Stopped": "masonry.errors",
     "SweepResult": "masonry.sweeps.sweep_run",
 }
-"""Classes that functions give back and raise, and their modules."""
 __version__ = "0.2.0"
 
 
@@ -154,8 +153,6 @@ def check(scene: "SceneLike") -> "Report":
     >>> report = masonry.check("couplet")
     >>> report["blocks"], report["contact_points"], report["freedoms"]
     (2, 4, 12)
-    >>> print(f"{report['time_step_s']:.1e} s")
-    2.0e-05 s
     """
     from masonry.sweeps.error_bars.check_line import checked
 

@@ -102,7 +102,7 @@ def converge(
     to       an error, "1 %" or 0.01: settings whose numbers have no larger one are chosen as well
     cost     times the scene itself that all other runs may take: 6 where none is given, with tets 8
     workers  processes (default: all processors; 0: in this one), or what does the runs in their place: a Dask client,
-             the address of its scheduler, an executor of concurrent.futures; tell is called with a line for each run that ends
+             the address of its scheduler, an executor of concurrent.futures; tell is called with a line a run that ends
     form     of the picture: "png", "pdf" or "svg"
     modes    the frequencies of so many modes, in place of the numbers of a run
     What comes back prints as `masonry converge` does; `.errors` has value, limit, error and the half_width of the 95 %
@@ -116,8 +116,8 @@ def converge(
     from masonry.errors import SceneError
     from masonry.importing.handed_blocks import scene_of
     from masonry.laboratory.arguments import called, number, path, whole, words
-    from masonry.sweeps.convergence.analyses import frequency_keys
     from masonry.sweeps.convergence.convergence import converge as refine
+    from masonry.sweeps.convergence.refinement.analyses import frequency_keys
 
     folder = None if out is None else path("out", out)
     workers = whole("workers", workers, 0, 10_000) if isinstance(workers, int | float) else workers

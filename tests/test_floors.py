@@ -37,6 +37,7 @@ FLOORS = (
     *(
         "masonry.sweeps",
         "masonry.sweeps.sensitivity",
+        *("masonry.sweeps.convergence.refinement", "masonry.sweeps.convergence.search"),
         "masonry.sweeps.convergence",
         "masonry.sweeps.error_bars",
         "masonry.shell_functions",

@@ -47,18 +47,7 @@ class Store:
             return None
         if failure is None and (numbers is None or not (folder / "history.h5").is_file()):
             return None
-        seconds = (numbers or {}).pop("seconds", None)
-        (numbers or {}).pop(NUMERICAL_ERROR, None)  # a row is that of its run alone, whoever refined it
-        how = failure or {"status": OK, "reason": "", "seconds": seconds}
-        plain = isinstance(how.get("reason"), str) and isinstance(how.get("seconds"), int | float | None)
-        if how.get("status") not in STATUSES or not plain:
-            return None
-        own = {
-            "key": key,
-            **{name: how.get(name) for name in ("status", "reason", "seconds")},
-            **_judged(numbers or {}),
-        }
-        return own | {name: value for name, value in flat(numbers or {}).items() if name not in own}
+        return _row_of(key, failure, numbers or {})
 
     def keep(self, key: str, ended: RunEnd) -> Row:
         """Write what a run left; returns its row. Raises SceneError where it cannot be written."""
@@ -74,6 +63,18 @@ class Store:
         row = self.row(key)
         assert row is not None
         return row
+
+
+def _row_of(key: str, failure: Any, numbers: dict[str, Any]) -> Row | None:
+    """The row of a run by how it failed, if it did, and its numbers; None where a file has other words than ours."""
+    seconds = numbers.pop("seconds", None)
+    numbers.pop(NUMERICAL_ERROR, None)  # a row is that of its run alone, whoever refined it
+    how = failure or {"status": OK, "reason": "", "seconds": seconds}
+    plain = isinstance(how.get("reason"), str) and isinstance(how.get("seconds"), int | float | None)
+    if how.get("status") not in STATUSES or not plain:
+        return None
+    own = {"key": key, **{name: how.get(name) for name in ("status", "reason", "seconds")}, **_judged(numbers)}
+    return own | {name: value for name, value in flat(numbers).items() if name not in own}
 
 
 def _of_modes(key: str, folder: Path) -> Row | None:

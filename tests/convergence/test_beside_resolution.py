@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from masonry.scene import load
-from masonry.sweeps.convergence.answers import ANSWERS, Answer
 from masonry.sweeps.convergence.beside_resolution import beside, drawn_again, runs_beside, sentences, stiffened
-from masonry.sweeps.convergence.campaign import DRAWN, RIGID, Campaign, Refinement
 from masonry.sweeps.convergence.convergence import converge
-from masonry.sweeps.convergence.numerical_errors import error_of, relative_changes
+from masonry.sweeps.convergence.refinement.answers import ANSWERS, Answer
+from masonry.sweeps.convergence.refinement.campaign import DRAWN, RIGID, Campaign, Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import error_of, relative_changes
 from tests.convergence.samples import DENSITY, HEIGHT, LENGTH, TIPPED, WIDTH
 
 KEY = "final_stress_pa"

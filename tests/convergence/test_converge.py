@@ -8,10 +8,10 @@ from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.laboratory import laboratory
 from masonry.scene import load
-from masonry.sweeps.convergence.answers import ANSWERS, answers_of
-from masonry.sweeps.convergence.campaign import Refinement
 from masonry.sweeps.convergence.convergence import converge
-from masonry.sweeps.convergence.numerical_errors import error_of
+from masonry.sweeps.convergence.refinement.answers import ANSWERS, answers_of
+from masonry.sweeps.convergence.refinement.campaign import Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import error_of
 from tests.convergence.samples import TIPPED, borne
 
 KEY = "final_stress_pa"

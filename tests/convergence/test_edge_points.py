@@ -5,10 +5,10 @@ import pytest
 from scipy.optimize import brentq
 
 from geometry.joints.point_density import edge_rule
-from masonry.sweeps.convergence.answers import Answer, Value
-from masonry.sweeps.convergence.campaign import Refinement
-from masonry.sweeps.convergence.edge_points import PRESSURE, lost_arm, unresolved
-from masonry.sweeps.convergence.numerical_errors import error_of
+from masonry.sweeps.convergence.refinement.answers import Answer, Value
+from masonry.sweeps.convergence.refinement.campaign import Refinement
+from masonry.sweeps.convergence.refinement.edge_points import PRESSURE, lost_arm, unresolved
+from masonry.sweeps.convergence.refinement.numerical_errors import error_of
 from masonry.sweeps.work import OK
 
 PEAK = Answer("peak_stress_pa", "peak")

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from masonry.sweeps.convergence.extrapolation import Estimate, extrapolated, scatter_bar, together
+from masonry.sweeps.convergence.refinement.extrapolation import Estimate, extrapolated, scatter_bar, together
 
 
 def ladder(order, factors, limit=3.7, size=-0.4):

@@ -8,8 +8,8 @@ import pytest
 import masonry
 from masonry.cli.main import main
 from masonry.scene import changed, load
-from masonry.sweeps.convergence.analyses import BESIDE, frequency_keys, pairs_of
 from masonry.sweeps.convergence.convergence import converge
+from masonry.sweeps.convergence.refinement.analyses import BESIDE, frequency_keys, pairs_of
 from masonry.sweeps.run_store import frequency_key
 from verification.references.swinging_stack import STACK, Stack, keys_of
 from verification.scene_runs import load as load_case

@@ -6,8 +6,8 @@ import pytest
 from masonry.cli.main import main
 from masonry.errors import SceneError
 from masonry.scene import load
-from masonry.sweeps.convergence.answers import answers_of, require_answer
 from masonry.sweeps.convergence.convergence import converge
+from masonry.sweeps.convergence.refinement.answers import answers_of, require_answer
 
 FRICTION, SIZE, DENSITY, BAR, SHEAR, ABOVE = 0.5, (0.4, 1.0, 0.1), 6000.0, 2e9 * 1e-3 / 1.5, 5e9, 1e3
 FACTORS = (4.1, 0.3, 3.7)

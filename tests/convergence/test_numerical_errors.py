@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from masonry.sweeps.convergence.answers import PLACE, ROWS_APART, Answer, Value
-from masonry.sweeps.convergence.campaign import Refinement
-from masonry.sweeps.convergence.numerical_errors import error_of, error_of_values
+from masonry.sweeps.convergence.refinement.answers import PLACE, ROWS_APART, Answer, Value
+from masonry.sweeps.convergence.refinement.campaign import Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import error_of, error_of_values
 from masonry.sweeps.work import OK
 
 SWAY = Answer("sway", "sway")

@@ -4,8 +4,8 @@ import pytest
 
 from masonry.cli.main import main
 from masonry.scene import changed, load
-from masonry.sweeps.convergence.campaign import Campaign, merged
-from masonry.sweeps.convergence.resolutions import jitter, not_refined, resolutions_of
+from masonry.sweeps.convergence.refinement.campaign import Campaign, merged
+from masonry.sweeps.convergence.refinement.resolutions import jitter, not_refined, resolutions_of
 from tests.convergence.samples import TIPPED
 
 

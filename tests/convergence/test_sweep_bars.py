@@ -10,8 +10,8 @@ import pytest
 import masonry
 from masonry.errors import SceneError
 from masonry.sweeps.convergence import convergence
-from masonry.sweeps.convergence.answers import Answer
-from masonry.sweeps.convergence.numerical_errors import NumericalError
+from masonry.sweeps.convergence.refinement.answers import Answer
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError
 from masonry.sweeps.error_bars.sweep_bars import carried_over, farthest_apart, places_of
 from masonry.sweeps.planned_runs import plan
 from masonry.sweeps.read import sweep_of_tables

@@ -51,8 +51,8 @@ def main(arguments: list[str] | None = None) -> int:
     numbers = [key.strip() for key in words.of.split(",")] if words.of is not None else []
 
     from masonry import scene
-    from masonry.sweeps.convergence.analyses import frequency_keys
     from masonry.sweeps.convergence.convergence import converge, require_words
+    from masonry.sweeps.convergence.refinement.analyses import frequency_keys
 
     loaded = scene.load(words.scene, words.overrides)
     numbers = numbers if words.modes is None else frequency_keys(words.modes)
@@ -86,10 +86,10 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _listing(loaded: "Scene", cost: float | None, numbers: list[str]) -> str:
-    from masonry.sweeps.convergence.analyses import analysis_of
     from masonry.sweeps.convergence.beside_resolution import runs_beside
-    from masonry.sweeps.convergence.campaign import Campaign
     from masonry.sweeps.convergence.convergence_table import settings_words
+    from masonry.sweeps.convergence.refinement.analyses import analysis_of
+    from masonry.sweeps.convergence.refinement.campaign import Campaign
 
     analysis = analysis_of(numbers)
     trials = [*Campaign(loaded, cost, analysis).first(), *(runs_beside(loaded) if analysis.scatters else [])]

@@ -8,10 +8,10 @@ from statistics import mean, stdev
 from typing import Any
 
 from masonry.scene import Scene
-from masonry.sweeps.convergence.answers import Answer, value_of
-from masonry.sweeps.convergence.campaign import APART, BASE, DRAWN, RIGID, SCATTER, Refinement
-from masonry.sweeps.convergence.extrapolation import FLAT, Estimate
-from masonry.sweeps.convergence.numerical_errors import Ended
+from masonry.sweeps.convergence.refinement.answers import Answer, value_of
+from masonry.sweeps.convergence.refinement.campaign import APART, BASE, DRAWN, RIGID, SCATTER, Refinement
+from masonry.sweeps.convergence.refinement.extrapolation import FLAT, Estimate
+from masonry.sweeps.convergence.refinement.numerical_errors import Ended
 
 STIFFER, DRAWS = 4.0, 2
 """Factor of a stiffness that stands for rigid; draws besides that of the scene."""

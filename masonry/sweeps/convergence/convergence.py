@@ -17,16 +17,16 @@ from masonry.runtime.processors import processors
 from masonry.runtime.progress import Tell, duration
 from masonry.scene import Scene
 from masonry.sweeps import cluster
-from masonry.sweeps.convergence import chosen_settings, convergence_table
-from masonry.sweeps.convergence.analyses import RUN, analysis_of
-from masonry.sweeps.convergence.answers import require_answer
+from masonry.sweeps.convergence import convergence_table
 from masonry.sweeps.convergence.beside_resolution import BesideResolution, beside, runs_beside, sentences
-from masonry.sweeps.convergence.campaign import DRAWN, RIGID, Campaign, Refinement
-from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.convergence.error_record import record_in_base
-from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of, relative_changes
-from masonry.sweeps.convergence.resolutions import not_refined
-from masonry.sweeps.convergence.settings_search import choose
+from masonry.sweeps.convergence.refinement.analyses import RUN, analysis_of
+from masonry.sweeps.convergence.refinement.answers import require_answer
+from masonry.sweeps.convergence.refinement.campaign import DRAWN, RIGID, Campaign, Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError, error_of, relative_changes
+from masonry.sweeps.convergence.refinement.resolutions import not_refined
+from masonry.sweeps.convergence.search.chosen_settings import FILE, ChosenSettings, fraction
+from masonry.sweeps.convergence.search.settings_search import choose
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.study_folder import SCENE, begin
@@ -144,7 +144,7 @@ def require_words(scene: Scene, of: Sequence[str], to: str | float | None, cost:
     if analysis_of(of) is RUN:
         for number in of:
             require_answer(number, [gauge.name for gauge in scene.gauge])
-    return None if to is None else chosen_settings.fraction(to)
+    return None if to is None else fraction(to)
 
 
 @dataclass(frozen=True)

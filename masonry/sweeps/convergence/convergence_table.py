@@ -12,10 +12,10 @@ from masonry.errors import visible
 from masonry.results.records.convergence_record import LIMITS_OF_USE
 from masonry.runtime.progress import duration
 from masonry.runtime.tables import WIDTH, columns
-from masonry.sweeps.convergence.answers import BORNE
 from masonry.sweeps.convergence.beside_resolution import BesideResolution
-from masonry.sweeps.convergence.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER, Refinement
-from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+from masonry.sweeps.convergence.refinement.answers import BORNE
+from masonry.sweeps.convergence.refinement.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER, Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import Ended, NumericalError
 from masonry.sweeps.job import short_text
 from masonry.sweeps.run_store import Row
 from masonry.sweeps.work import OK

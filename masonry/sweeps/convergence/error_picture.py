@@ -9,10 +9,10 @@ from typing import Any
 
 from masonry.pictures.labels import key_beside, wrapped
 from masonry.pictures.style import plain, tidy
-from masonry.sweeps.convergence.answers import value_of
-from masonry.sweeps.convergence.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER
-from masonry.sweeps.convergence.chosen_settings import FILE, ChosenSettings
-from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+from masonry.sweeps.convergence.refinement.answers import value_of
+from masonry.sweeps.convergence.refinement.campaign import BASE, DRAWN, RIGID, SCATTER, TOGETHER
+from masonry.sweeps.convergence.refinement.numerical_errors import Ended, NumericalError
+from masonry.sweeps.convergence.search.chosen_settings import FILE, ChosenSettings
 from masonry.sweeps.run_store import Row
 
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#e377c2", "#8c564b", "#17becf", "#bcbd22")

@@ -9,7 +9,7 @@ from masonry.results.store import summary_json
 from masonry.results.summary import Summary, read_summary
 from masonry.runtime.folder import writing
 from masonry.runtime.folders.own_files import RUNS, ResultFiles
-from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
+from masonry.sweeps.convergence.refinement.numerical_errors import Ended, NumericalError
 from masonry.sweeps.work import OK
 
 SUMMARY = "summary.json"

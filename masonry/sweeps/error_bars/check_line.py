@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from masonry.errors import SceneError
-from masonry.sweeps.convergence.resolutions import ALONG, resolutions_of
+from masonry.sweeps.convergence.refinement.resolutions import ALONG, resolutions_of
 
 if TYPE_CHECKING:
     from masonry.laboratory.text import Report

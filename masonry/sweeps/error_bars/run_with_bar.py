@@ -22,7 +22,7 @@ CURVE = "curve.csv"
 
 def require_refinable(scene: "Scene") -> None:
     """Raise SceneError where a scene has nothing that could be refined."""
-    from masonry.sweeps.convergence.resolutions import resolutions_of
+    from masonry.sweeps.convergence.refinement.resolutions import resolutions_of
 
     if not resolutions_of(scene):
         raise SceneError(f"--error-bar: '{scene.name}' has nothing that could be refined; masonry run does without")

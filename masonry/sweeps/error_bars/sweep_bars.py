@@ -9,10 +9,10 @@ import numpy as np
 
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene, changed, load
-from masonry.sweeps.convergence.campaign import Campaign
 from masonry.sweeps.convergence.convergence import Runner
 from masonry.sweeps.convergence.error_record import record_in_base
-from masonry.sweeps.convergence.numerical_errors import NumericalError
+from masonry.sweeps.convergence.refinement.campaign import Campaign
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError
 from masonry.sweeps.job import Job, names
 from masonry.sweeps.pictures.varied_keys import keys_that_vary
 from masonry.sweeps.planned_runs import Planned

@@ -21,11 +21,11 @@ from masonry.errors import SceneError, nearest
 from masonry.runtime.folders.own_files import RUNS
 from masonry.runtime.tables import columns
 from masonry.scene import Scene, changed
-from masonry.sweeps.convergence.analyses import RefinedAnalysis, analysis_of
-from masonry.sweeps.convergence.answers import value_of
-from masonry.sweeps.convergence.campaign import TOGETHER, Campaign, merged
 from masonry.sweeps.convergence.convergence import Convergence, converge
-from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
+from masonry.sweeps.convergence.refinement.analyses import RefinedAnalysis, analysis_of
+from masonry.sweeps.convergence.refinement.answers import value_of
+from masonry.sweeps.convergence.refinement.campaign import TOGETHER, Campaign, merged
+from masonry.sweeps.convergence.refinement.edge_points import STRENGTHS, unresolved
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.work import OK
 from verification.studies.error_bars.compared import VISIBLE, Compared, append, compared_of, lines_of

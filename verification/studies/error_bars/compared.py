@@ -7,9 +7,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from masonry.sweeps.convergence.answers import Answer, Value
-from masonry.sweeps.convergence.campaign import Refinement
-from masonry.sweeps.convergence.numerical_errors import NumericalError, error_of_values
+from masonry.sweeps.convergence.refinement.answers import Answer, Value
+from masonry.sweeps.convergence.refinement.campaign import Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError, error_of_values
 from verification.studies.error_bars.measured_doubts import Indicator
 
 VISIBLE = 1e-5

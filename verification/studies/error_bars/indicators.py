@@ -31,9 +31,9 @@ from masonry.laboratory.laboratory import result_of
 from masonry.laboratory.settling_search import settled
 from masonry.runtime.tables import columns
 from masonry.scene import Scene, changed
-from masonry.sweeps.convergence.answers import answers_of, value_of, with_derived
-from masonry.sweeps.convergence.campaign import Campaign, merged
-from masonry.sweeps.convergence.resolutions import Resolution
+from masonry.sweeps.convergence.refinement.answers import answers_of, value_of, with_derived
+from masonry.sweeps.convergence.refinement.campaign import Campaign, merged
+from masonry.sweeps.convergence.refinement.resolutions import Resolution
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.work import OK

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from masonry.scene import Scene, load
-from masonry.sweeps.convergence.analyses import frequency_keys
+from masonry.sweeps.convergence.refinement.analyses import frequency_keys
 from verification.studies.error_bars.draws import LAWS, Draw, length, stress
 from verification.studies.error_bars.random_motions import glued_column, rocking_block, sliding_block
 from verification.studies.error_bars.random_walls import (

@@ -21,13 +21,13 @@ from masonry.errors import SceneError
 from masonry.laboratory.cost import forecast
 from masonry.runtime.tables import columns
 from masonry.scene import Scene, changed, load
-from masonry.sweeps.convergence.answers import value_of, with_derived
-from masonry.sweeps.convergence.campaign import merged
-from masonry.sweeps.convergence.chosen_settings import Settings
 from masonry.sweeps.convergence.convergence import Convergence, converge
-from masonry.sweeps.convergence.next_settings import narrower
-from masonry.sweeps.convergence.numerical_errors import NumericalError
-from masonry.sweeps.convergence.resolutions import resolutions_of
+from masonry.sweeps.convergence.refinement.answers import value_of, with_derived
+from masonry.sweeps.convergence.refinement.campaign import merged
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError
+from masonry.sweeps.convergence.refinement.resolutions import resolutions_of
+from masonry.sweeps.convergence.search.chosen_settings import Settings
+from masonry.sweeps.convergence.search.next_settings import narrower
 from masonry.sweeps.engine import run_alone
 from masonry.sweeps.job import Job
 from masonry.sweeps.run_store import Row

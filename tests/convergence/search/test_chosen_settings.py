@@ -8,12 +8,12 @@ from typing import Any
 import pytest
 
 from masonry.scene import Scene, changed, load
-from masonry.sweeps.convergence.answers import ANSWERS
-from masonry.sweeps.convergence.campaign import BASE, SCATTER, Campaign, Refinement
 from masonry.sweeps.convergence.error_picture import figure_of
-from masonry.sweeps.convergence.next_settings import Proposal, Steps, narrower
-from masonry.sweeps.convergence.numerical_errors import error_of
-from masonry.sweeps.convergence.settings_search import choose
+from masonry.sweeps.convergence.refinement.answers import ANSWERS
+from masonry.sweeps.convergence.refinement.campaign import BASE, SCATTER, Campaign, Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import error_of
+from masonry.sweeps.convergence.search.next_settings import Proposal, Steps, narrower
+from masonry.sweeps.convergence.search.settings_search import choose
 from tests.convergence.samples import TIPPED
 
 PEAK, THERE = "peak_stress_pa", "displacement_at_peak_m"
@@ -116,7 +116,7 @@ def test_what_would_cost_too_much_is_left():
 
 
 def test_a_search_ends_where_all_its_runs_took_a_hundred_times_the_scene(monkeypatch):
-    monkeypatch.setattr("masonry.sweeps.convergence.settings_search.LONGEST", 3.0)
+    monkeypatch.setattr("masonry.sweeps.convergence.search.settings_search.LONGEST", 3.0)
     chosen = MadeUp(of_points=2.0, seconds=0.05).choose(0.001)
     assert chosen.unreached == {PEAK: "the search took 3 times the time of the scene"}
     assert len(chosen.tried) == 1 and chosen.settings == {}

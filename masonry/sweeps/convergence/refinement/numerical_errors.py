@@ -4,10 +4,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from math import hypot
 
-from masonry.sweeps.convergence.answers import Answer, Value, value_of
-from masonry.sweeps.convergence.campaign import BASE, DRAWN, NOT_REFINED, RIGID, SCATTER, TOGETHER, Refinement
-from masonry.sweeps.convergence.edge_points import STRENGTHS, unresolved
-from masonry.sweeps.convergence.extrapolation import FLAT, Estimate, extrapolated, scatter_bar, together
+from masonry.sweeps.convergence.refinement.answers import Answer, Value, value_of
+from masonry.sweeps.convergence.refinement.campaign import (
+    BASE,
+    DRAWN,
+    NOT_REFINED,
+    RIGID,
+    SCATTER,
+    TOGETHER,
+    Refinement,
+)
+from masonry.sweeps.convergence.refinement.edge_points import STRENGTHS, unresolved
+from masonry.sweeps.convergence.refinement.extrapolation import FLAT, Estimate, extrapolated, scatter_bar, together
 from masonry.sweeps.run_store import Row
 
 IDLE = 0.01

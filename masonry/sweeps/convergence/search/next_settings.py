@@ -11,11 +11,11 @@ from math import inf, log, prod, sqrt
 from typing import Any
 
 from masonry.scene import Scene
-from masonry.sweeps.convergence.answers import value_of
-from masonry.sweeps.convergence.campaign import NOT_REFINED, Campaign, Refinement
-from masonry.sweeps.convergence.extrapolation import HIGHEST_ORDER, LOWEST_ORDER
-from masonry.sweeps.convergence.numerical_errors import Ended, NumericalError
-from masonry.sweeps.convergence.resolutions import FINEST_ACCURACY
+from masonry.sweeps.convergence.refinement.answers import value_of
+from masonry.sweeps.convergence.refinement.campaign import NOT_REFINED, Campaign, Refinement
+from masonry.sweeps.convergence.refinement.extrapolation import HIGHEST_ORDER, LOWEST_ORDER
+from masonry.sweeps.convergence.refinement.numerical_errors import Ended, NumericalError
+from masonry.sweeps.convergence.refinement.resolutions import FINEST_ACCURACY
 
 TIME = ("pace", "time step")
 """Resolutions by which scatter may become smaller."""

@@ -7,9 +7,10 @@ from typing import Any
 
 from masonry.runtime.progress import Tell
 from masonry.scene import Scene, changed
-from masonry.sweeps.convergence.answers import BORNE
-from masonry.sweeps.convergence.campaign import Campaign
-from masonry.sweeps.convergence.chosen_settings import (
+from masonry.sweeps.convergence.refinement.answers import BORNE
+from masonry.sweeps.convergence.refinement.campaign import Campaign
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError
+from masonry.sweeps.convergence.search.chosen_settings import (
     SHORT,
     ChosenSettings,
     Measured,
@@ -18,8 +19,7 @@ from masonry.sweeps.convergence.chosen_settings import (
     relative,
     toml_of,
 )
-from masonry.sweeps.convergence.next_settings import Makeup, Proposal, Steps, makeup_of, narrower, scatter_of
-from masonry.sweeps.convergence.numerical_errors import NumericalError
+from masonry.sweeps.convergence.search.next_settings import Makeup, Proposal, Steps, makeup_of, narrower, scatter_of
 from masonry.sweeps.work import OK
 
 NOTHING_FINER = "no resolution of the scene makes it smaller"

@@ -6,7 +6,7 @@ from typing import Any
 
 from masonry.assembly.contact_pairs import points_along
 from masonry.scene import Scene
-from masonry.sweeps.convergence.answers import EXACT
+from masonry.sweeps.convergence.refinement.answers import EXACT
 
 FINEST_ACCURACY = 1e-4
 MOST_ALONG_PATCH, MOST_ROWS = 40, 1_000_000

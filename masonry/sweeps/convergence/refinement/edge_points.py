@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from math import sqrt
 
 from geometry.joints.point_density import edge_rule
-from masonry.sweeps.convergence.answers import BORNE
-from masonry.sweeps.convergence.campaign import TOGETHER, Refinement
+from masonry.sweeps.convergence.refinement.answers import BORNE
+from masonry.sweeps.convergence.refinement.campaign import TOGETHER, Refinement
 from masonry.sweeps.run_store import Row
 
 PRESSURE = "compression_max_pa"

@@ -8,8 +8,8 @@ from typing import Any
 from masonry.errors import SceneError
 from masonry.runtime.tables import WIDTH
 from masonry.scene.tables.loads_and_supports import accuracy_share
-from masonry.sweeps.convergence.campaign import Refinement
-from masonry.sweeps.convergence.numerical_errors import NumericalError
+from masonry.sweeps.convergence.refinement.campaign import Refinement
+from masonry.sweeps.convergence.refinement.numerical_errors import NumericalError
 from masonry.sweeps.run_store import Row
 
 FILE = "converged.toml"

@@ -14,8 +14,8 @@ from masonry.errors import SceneError
 from masonry.laboratory.cost import forecast
 from masonry.modal_analysis.oscillator import oscillator_of
 from masonry.scene import Scene
-from masonry.sweeps.convergence.answers import Answer, answers_of, with_derived
-from masonry.sweeps.convergence.resolutions import Resolution, jitter, of_space, resolutions_of
+from masonry.sweeps.convergence.refinement.answers import Answer, answers_of, with_derived
+from masonry.sweeps.convergence.refinement.resolutions import Resolution, jitter, of_space, resolutions_of
 from masonry.sweeps.job import Job
 from masonry.sweeps.run_store import Row, frequency_key
 from masonry.sweeps.work import OK, SHAPES

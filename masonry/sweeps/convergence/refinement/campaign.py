@@ -9,9 +9,9 @@ import numpy as np
 from geometry.blocks import Blocks, GeometryError, Joints
 from masonry.errors import SceneError
 from masonry.scene import Scene, changed
-from masonry.sweeps.convergence.analyses import RUN, RefinedAnalysis
-from masonry.sweeps.convergence.extrapolation import FLAT
-from masonry.sweeps.convergence.resolutions import ALL_EDGES, ALONG, ONE_AXIS, PATCHES, Resolution
+from masonry.sweeps.convergence.refinement.analyses import RUN, RefinedAnalysis
+from masonry.sweeps.convergence.refinement.extrapolation import FLAT
+from masonry.sweeps.convergence.refinement.resolutions import ALL_EDGES, ALONG, ONE_AXIS, PATCHES, Resolution
 
 BASE, SCATTER, TOGETHER = "as it is", "scatter", "together"
 DRAWN, RIGID = "drawn again", "stiffness of dry joints"
