@@ -26,9 +26,11 @@ from masonry.shell_functions import (
     import_blocks,
     law,
     load_result,
+    new,
     record,
     report,
     resume,
+    scenes,
     verify,
     view,
     write_blocks,
@@ -54,8 +56,8 @@ if TYPE_CHECKING:
     SceneLike = Scene | str | Path | Mapping[str, Any]
 
 __all__ = [
-    "check", "contact", "converge", "export", "import_blocks", "law", "limit", "load", "load_result", "modes", "record",
-    "report", "resume", "run", "scenes", "sensitivity", "sweep", "verify", "view", "write_blocks",
+    "check", "contact", "converge", "export", "import_blocks", "law", "limit", "load", "load_result", "modes", "new",
+    "record", "report", "resume", "run", "scenes", "sensitivity", "sweep", "verify", "view", "write_blocks",
     "ContactTable", "Convergence", "GeometryError", "LimitResult", "ModesResult", "PageView", "Report", "Result",
     "Scene", "SceneError", "Sensitivity", "Stopped", "SweepResult",
 ]  # fmt: skip
@@ -87,17 +89,6 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     """The names that a user has."""
     return [*__all__, "__version__"]
-
-
-def scenes() -> dict[str, str]:
-    """The scenes that come with the program: name -> title.
-
-    >>> masonry.scenes()["couplet"]
-    'Couplet under confinement and shear'
-    """
-    from masonry.scene.source import titles
-
-    return titles()
 
 
 def load(scene: "str | Path | Mapping[str, Any]", overrides: Any = ()) -> "Scene":

@@ -22,6 +22,17 @@ VERIFICATION = "verification.command"
 """It stands on a floor above `masonry`, and is looked up when it is called."""
 
 
+def scenes() -> dict[str, str]:
+    """The scenes that come with the program: name -> title.
+
+    >>> masonry.scenes()["couplet"]
+    'Couplet under confinement and shear'
+    """
+    from masonry.scene.source import titles
+
+    return titles()
+
+
 @speaking_python
 def import_blocks(
     source: str | Path, out: str | Path | None = None, overwrite: bool = False, **words: Any
@@ -43,6 +54,30 @@ def import_blocks(
 
     target = None if out is None else path("out", out)
     return import_file(path("source", source), target, settings_of(words), flag("overwrite", overwrite))
+
+
+@speaking_python
+def new(task: str, out: str | Path | None = None, overwrite: bool = False, **numbers: Any) -> "Scene":
+    """A first scene of a task: arch, bridge, wall, facade, house, earthquake or couplet, with the numbers of the user.
+
+    out      a file, NAME.toml, to write as `masonry new` does, with comments; without it nothing is written
+    numbers  options of `masonry new TASK --help`, _ for -: numbers in the unit that it names, texts with a unit, lists
+    All else is a stated assumption of the scene. Raises SceneError or GeometryError; then nothing is written.
+
+    >>> bridge = masonry.new("bridge", spans=[8, 6], axles=[90, 90])
+    >>> bridge.title
+    'Bridge of 2 spans (8 m, 6 m) under a vehicle of 2 axles'
+    >>> masonry.limit(bridge).factor > 1.0
+    True
+    """
+    from masonry.laboratory.arguments import flag, path
+    from masonry.starting.starting import scene_of, task_of, write_scene
+
+    target = path("out", f"{task_of(task).name}.toml" if out is None else out)
+    scene, text, _ = scene_of(task, numbers, str(target))
+    if out is not None:
+        write_scene(target, text, flag("overwrite", overwrite))
+    return scene
 
 
 @speaking_python

@@ -17,7 +17,7 @@ FLOORS = (
     *("geometry.joints", "geometry.meshes", "geometry.specimens", "geometry.structures", "geometry.files", "geometry"),
     *("masonry.errors", "masonry.units", "masonry.quantity", "masonry.rows", "masonry.runtime"),
     *("masonry.jit", "masonry.simd", "masonry.laws", "masonry.laws.building"),
-    *("masonry.ground", "masonry.scene.tables", "masonry.scene", "masonry.materials"),
+    *("masonry.ground", "masonry.scene.tables", "masonry.scene", "masonry.materials", "masonry.starting"),
     *("masonry.judgement", "masonry.results", "masonry.pictures", "masonry.curves", "masonry.movies"),
     *("masonry.detection", "masonry.kinematics", "masonry.patches", "masonry.kernels", "masonry.model"),
     *(

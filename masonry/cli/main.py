@@ -38,6 +38,7 @@ from masonry.runtime.shell import (
 )
 
 APART = {
+    "new": "write a first scene of a task, with your numbers: a bridge, a wall, an earthquake ...",
     "view": "a model before it is run, or a result, in space: one page of HTML to turn and click",
     "picture": "draw the cracks of results at a moment, or the specimen of a scene",
     "movie": "make a movie of a folder of results: cracks beside the curve",
@@ -56,7 +57,9 @@ APART = {
 }
 """Commands with words of their own, and their help: `main` of a module takes the words after the command."""
 OF_VERIFICATION = {"verify": "verification.command", "paper": "verification.paper.command"}
-"""The modules of those that are none of masonry/cli/commands."""
+"""The modules of those of a floor above."""
+BESIDE = {"new": "masonry.cli.new_command"}
+"""The modules of those that are in no room of commands."""
 
 
 def parser() -> Parser:
@@ -81,6 +84,9 @@ def parser() -> Parser:
     export.set_defaults(action=scene_commands.export_scene)
     _add_import(added)
     added.add_parser("list", help="list the packaged scenes").set_defaults(action=scene_commands.list_scenes)
+    show = added.add_parser("show", help="print a packaged scene, or a scene file, to read and to copy")
+    show.add_argument("scene", metavar="NAME|FILE", help="the name of a packaged scene, or a scene file")
+    show.set_defaults(action=scene_commands.show_scene)
     plot = added.add_parser("plot", help="draw the pictures of a folder of results again")
     plot.add_argument("folder", type=Path, metavar="DIR")
     add_format(plot)
@@ -221,7 +227,7 @@ def _act(arguments: list[str] | None) -> int:
 
 def module_of(command: str) -> Any:
     """The module of a command that is not made here."""
-    module = OF_VERIFICATION.get(command, f"masonry.cli.commands.{command}_command")
+    module = {**OF_VERIFICATION, **BESIDE}.get(command, f"masonry.cli.commands.{command}_command")
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:

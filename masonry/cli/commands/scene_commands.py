@@ -67,6 +67,17 @@ def list_scenes(words: argparse.Namespace) -> int:
     return OK
 
 
+def show_scene(words: argparse.Namespace) -> int:
+    """`masonry show`: the text of a scene as its file has it; which scene it stands on is said beside it."""
+    from masonry.scene.source import read
+
+    source = read(words.scene)
+    print(source.text, end="" if source.text.endswith("\n") else "\n")
+    if source.base is not None:
+        tell(f"masonry: what it does not say is of its base: masonry show {source.base.stem}")
+    return OK
+
+
 def plot_results(words: argparse.Namespace) -> int:
     """`masonry plot`: curve.png and cracks.png again, or as PDF or SVG, from summary.json and history.h5."""
     from masonry.laboratory.result import load_result
