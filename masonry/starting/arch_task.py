@@ -13,6 +13,7 @@ law = "friction"  # joints press and rub; nothing is glued
 material.units.density = "$density"
 contact.unit_unit = { normal_stiffness = "30 GPa/m", shear_stiffness = "12 GPa/m", tan_friction_angle = $friction }
 support = [{ on = "left abutment", fix = "all" }, { on = "right abutment", fix = "all" }]
+gauge = [{ name = "crown", at = "keystone", direction = "z" }]
 gravity.z = "-9.81 m/s^2"
 settle.steps = 20000  # its own weight first
 
@@ -29,11 +30,6 @@ contact_points = "vertex"  # at the ends of the joints, so that hinges turn abou
 [limit]  # what grows, by a factor, until it falls
 $growing
 accuracy = "1 %"  # of the factor in a run; "none": a run bears the weight alone
-
-[[gauge]]
-name = "crown"
-at = "keystone"
-direction = "z"
 """
 POINT = """\
 pattern = "force"

@@ -10,6 +10,8 @@ kinematics = "rigid"
 law = "exponential"  # a bond that softens; friction stays
 confinement = "$pressure"
 material.units.density = "$density"  # at this slow pace it moves nothing
+support = [{ on = "bottom", fix = "all" }, { on = "top", fix = ["y", "rotation"] }]  # the upper unit does not turn
+traction = [{ on = "top.z+", stress = { z = "-confinement" } }]
 settle.steps = 4000  # pressure first, then shear
 
 [specimen]  # two units and a joint
@@ -26,18 +28,6 @@ cohesion = "$cohesion"
 tan_friction_angle = $friction
 fracture_energy_mode_1 = "$energy_tension"
 fracture_energy_mode_2 = "$energy_shear"
-
-[[support]]
-on = "bottom"
-fix = "all"
-
-[[support]]  # the upper unit slides and rises, but does not turn
-on = "top"
-fix = ["y", "rotation"]
-
-[[traction]]
-on = "top.z+"
-stress = { z = "-confinement" }
 
 [drive]
 on = "top"
@@ -63,9 +53,7 @@ def values(entries: Entries) -> dict[str, Any]:
     }
 
 
-MORTAR = (
-    "masonry contact --unit clay --unit-strength '20 MPa' --mortar M5 gives it from Eurocode 6 (docs/contact-table.md)"
-)
+MORTAR = "`masonry contact` gives it from Eurocode 6 (docs/contact-table.md)"
 """Where strengths of a joint come from."""
 
 TASK = StartTask(
@@ -104,7 +92,7 @@ TASK = StartTask(
             "",
             "[100, 1e8]",
             key="contact.unit_unit.tensile_strength",
-            guess="two thirds of the cohesion, as is usual; bending tests tell",
+            guess="two thirds of the cohesion, at most cohesion / friction; bending tests tell",
         ),
         TaskOption("push", "how far the upper unit is pushed", default="1 mm", allowed="[1e-5, 0.05]"),
         TaskOption(

@@ -23,9 +23,13 @@ def units_of(entries: Entries, joint: float) -> Units:
     wall_length, wall_height = entries.si("length"), entries.si("height")
     module, rise = entries.si("unit_length") + joint, entries.si("unit_height") + joint
     if module > wall_length * 1.5:
-        raise entries.refusal("unit_length", f"{entries.text('unit_length')}; the wall is {wall_length:g} m long")
+        raise entries.refusal(
+            "unit_length", f"{entries.text('unit_length')}; the wall is {wall_length:g} m long: give a shorter one"
+        )
     if rise > wall_height * 1.5:
-        raise entries.refusal("unit_height", f"{entries.text('unit_height')}; the wall is {wall_height:g} m high")
+        raise entries.refusal(
+            "unit_height", f"{entries.text('unit_height')}; the wall is {wall_height:g} m high: give a lower one"
+        )
     halves, courses = max(2, round(2.0 * wall_length / module)), max(1, round(wall_height / rise))
     if halves * courses > 2 * MOST_UNITS:
         raise entries.refusal(
@@ -53,15 +57,16 @@ class Facade(NamedTuple):
 
 
 def facade_of(entries: Entries) -> Facade:
-    """Half modules between two corners as thick as the facade, about as long as that, and a door of whole ones in its
-    middle. Raises SceneError."""
+    """Half modules between the corners that returns take, each about as long as that is thick, and a door of whole
+    ones in its middle. Raises SceneError."""
     length, thick = entries.si("length"), entries.si("thickness")
-    between = length - 2.0 * thick
-    if between < thick:
-        raise entries.refusal("length", f"{length:g} m; at least three times the thickness, {3.0 * thick:g} m")
-    count = round(between / thick)
-    half = between / count
     deep = entries.si("returns")
+    corner = thick if deep else 0.0
+    between = length - 2.0 * corner
+    if between < thick:
+        raise entries.refusal("length", f"{length:g} m; with these walls at least {thick + 2.0 * corner:g} m")
+    count = max(1 if deep else 2, round(between / thick))
+    half = between / count
     if 0.0 < deep < 1.5 * thick:
         raise entries.refusal(
             "returns", f"{deep:g} m; 0 for none, or {1.5 * thick:g} m and more, the thickness included"
@@ -72,9 +77,10 @@ def facade_of(entries: Entries) -> Facade:
     width = entries.si("door_width")
     if not width:
         return Facade(half, returns, None)
-    door = max(1, round((width / half - count % 2) / 2.0) * 2 + count % 2)
+    odd = count % 2  # so that both sides are alike
+    door = max(2 - odd, round((width / half - odd) / 2.0) * 2 + odd)
     if door > count - 2:
         raise entries.refusal(
             "door_width", f"{width:g} m; beside it half a stone is needed: at most {half * (count - 2):.4g} m"
         )
-    return Facade(half, returns, (thick + half * (count - door) / 2.0, half * door))
+    return Facade(half, returns, (corner + half * (count - door) / 2.0, half * door))

@@ -14,6 +14,8 @@ law = "exponential"  # a bond that softens; friction stays
 material = { units.density = "$density", plates.density = "2400 kg/m^3" }
 support = [{ on = "base", fix = "all" }]
 mass = [{ on = "beam", mass = "$floor" }]  # of the floor that it bears
+floor.size = ["$ground_size", "$ground_size"]  # for what falls
+gauge = [{ name = "drift of the beam", at = "beam", direction = "$axis", relative_to = "base" }]
 gravity.z = "-9.81 m/s^2"
 settle.steps = 20000
 
@@ -37,15 +39,12 @@ fracture_energy_mode_1 = "10 N/m"
 fracture_energy_mode_2 = "50 N/m"
 normal_dashpot = 0.1
 
-[contact.floor_units]  # rough ground: what has fallen stays
+[contact.floor_units]  # rough ground, for what falls
 law = "friction"
 normal_stiffness = "5 GPa/m"
 shear_stiffness = "2 GPa/m"
 tan_friction_angle = 1.0
 normal_dashpot = 1.0
-
-[floor]  # for what falls
-size = ["$ground_size", "$ground_size"]
 
 [ground]
 $axis = "first"  # the wall is shaken $direction
@@ -61,12 +60,6 @@ soil = "$soil"
 [solver]
 masses = "real"  # time is real
 frames = 100
-
-[[gauge]]
-name = "drift of the beam"
-at = "beam"
-direction = "$axis"
-relative_to = "base"
 """
 
 

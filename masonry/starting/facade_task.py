@@ -4,7 +4,7 @@ from typing import Any
 
 from masonry.starting.coursed import facade_of
 from masonry.starting.options import Entries, TaskOption, metres
-from masonry.starting.task import DENSITY, DRY_STIFFNESS, FRICTION, StartTask
+from masonry.starting.task import BOUND, DENSITY, DRY_STIFFNESS, FRICTION, StartTask
 
 TEMPLATE = """\
 kinematics = "rigid"
@@ -13,6 +13,7 @@ material = { units.density = "$density", plates.density = "$density"$lintels_den
 contact.unit_unit = { normal_stiffness = "30 GPa/m", shear_stiffness = "12 GPa/m", tan_friction_angle = $friction }
 contact.plate = { normal_stiffness = "30 GPa/m", shear_stiffness = "12 GPa/m", tan_friction_angle = $friction }
 ${lintel_joints}support = [{ on = "base", fix = "all" }]
+gauge = [{ name = "top of the facade", at = "top course", direction = "-y" }]
 gravity.z = "-9.81 m/s^2"
 settle.steps = 5000  # its own weight first
 
@@ -31,11 +32,6 @@ $door_lines
 pattern = "tilt"
 about = "-x"
 accuracy = "2 %"  # of the factor in a run
-
-[[gauge]]
-name = "top of the facade"
-at = "top course"
-direction = "-y"
 """
 LINTEL = (
     'contact.lintels_units = {{ normal_stiffness = "30 GPa/m", shear_stiffness = "12 GPa/m", '
@@ -100,7 +96,10 @@ TASK = StartTask(
     ),
     TEMPLATE,
     values,
-    ("masonry view $file", "masonry check $file", "masonry limit $file --no-dilation", "masonry run $file"),
+    ("masonry view $file", "masonry check $file", "masonry limit $file", "masonry run $file"),
     (DRY_STIFFNESS,),
-    ("By hand a facade that nothing holds at its ends falls at thickness / height, $alone.",),
+    (
+        BOUND,
+        "By hand a facade that nothing holds at its ends falls at thickness / height, $alone.",
+    ),
 )

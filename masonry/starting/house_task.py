@@ -3,7 +3,7 @@
 from typing import Any
 
 from masonry.starting.options import Entries, TaskOption, metres
-from masonry.starting.task import DENSITY, DRY_STIFFNESS, FRICTION, StartTask
+from masonry.starting.task import BOUND, DENSITY, DRY_STIFFNESS, FRICTION, StartTask
 
 SLAB = 0.2
 """m, the thickness of the floor."""
@@ -102,6 +102,7 @@ TASK = StartTask(
     ),
     TEMPLATE,
     values,
-    ("masonry view $file", "masonry check $file", "masonry limit $file --no-dilation", "masonry run $file"),
+    ("masonry view $file", "masonry check $file", "masonry limit $file", "masonry run $file"),
     (DRY_STIFFNESS,),
+    (BOUND,),
 )

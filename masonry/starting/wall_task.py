@@ -12,6 +12,8 @@ kinematics = "rigid"
 law = "exponential"  # a bond that softens; friction stays, and what is pressed too much crushes
 confinement = "$pressure"  # on its top
 material = { units.density = "$density", plates.density = "1 kg/m^3" }
+support = [{ on = "base", fix = "all" }, { on = "beam", fix = $top_fix }]  # $top_says
+traction = [{ on = "beam.z+", stress = { z = "-confinement" } }]
 gravity.z = "-9.81 m/s^2"
 settle.steps = 8000  # pressure and weight first, then the push
 curve.y = "force"
@@ -26,7 +28,7 @@ unit_height = "$course_fit"
 joint_thickness = "$joint"
 base = "100 mm"
 beam = "100 mm"
-points_per_edge = { x = 6, y = 2, z = 3 }
+points_per_edge = { x = 12, y = 2, z = 4 }  # toes crush on part of an edge
 
 [contact.unit_unit]
 normal_stiffness = "$stiffness"  # modulus over a course: a course deforms in its joint
@@ -50,18 +52,6 @@ fracture_energy_mode_2 = "100 N/m"
 compressive_strength = "$strength"
 crushing = "cut-off"
 
-[[support]]
-on = "base"
-fix = "all"
-
-[[support]]  # $top_says
-on = "beam"
-fix = $top_fix
-
-[[traction]]
-on = "beam.z+"
-stress = { z = "-confinement" }
-
 [drive]
 on = "beam"
 direction = "x"
@@ -69,8 +59,8 @@ displacement = "$push"
 accuracy = "1 %"
 """
 TOPS = {
-    "level": ('["y", "rotation"]', "a floor keeps it level; free to rise and sink"),
-    "free": ('["y", "rotation x", "rotation z"]', "free to turn in its plane, to rise and to sink"),
+    "level": ('["y", "rotation"]', "level, free to rise"),
+    "free": ('["y", "rotation x", "rotation z"]', "free to turn in its plane"),
 }
 
 
@@ -119,7 +109,7 @@ TASK = StartTask(
         TaskOption("unit_height", "of a unit, about: it is fitted", default="115 mm", allowed="[0.01, 5]"),
         TaskOption("joint", "thickness of the joints", default="10 mm", allowed="[0, 0.1]"),
         TaskOption("pressure", "on its top", "stress", "MPa", "0.5", "[0, 1e8]"),
-        TaskOption("push", "how far its top is pushed", default="5 mm", allowed="[1e-5, 1]"),
+        TaskOption("push", "how far its top is pushed", default="3 mm", allowed="[1e-5, 1]"),
         TaskOption("top", "kept level by a floor, or free to turn", "", "", "level", words=tuple(TOPS)),
         TaskOption(
             "modulus",
@@ -169,7 +159,7 @@ TASK = StartTask(
             "",
             "[100, 1e8]",
             key="contact.unit_unit.tensile_strength",
-            guess="two thirds of the cohesion, as is usual",
+            guess="two thirds of the cohesion, at most cohesion / friction",
         ),
         DENSITY,
     ),
