@@ -67,8 +67,9 @@ def new(task: str, out: str | Path | None = None, overwrite: bool = False, **num
     >>> bridge = masonry.new("bridge", spans=[8, 6], axles=[90, 90])
     >>> bridge.title
     'Bridge of 2 spans (8 m, 6 m) under a vehicle of 2 axles'
-    >>> masonry.limit(bridge).factor > 1.0
-    True
+    >>> bare = masonry.new("facade", height=3, thickness="40 cm", returns=0, door_width=0)
+    >>> print(f"{masonry.limit(bare).factor:.4f}")  # by hand thickness / height
+    0.1333
     """
     from masonry.laboratory.arguments import flag, path
     from masonry.starting.starting import scene_of, task_of, write_scene

@@ -14,7 +14,7 @@ TEMPLATE = """\
 kinematics = "rigid"
 law = "friction"  # joints press and rub; nothing is glued
 material.units.density = "$density"
-contact.unit_unit = { normal_stiffness = "30 GPa/m", shear_stiffness = "12 GPa/m", tan_friction_angle = $friction }
+contact.unit_unit = { normal_stiffness = "60 GPa/m", shear_stiffness = "24 GPa/m", tan_friction_angle = $friction }
 support = [{ on = "foundations", fix = "all" }]  # abutments and footings
 fill = [{ on = "extrados", level = "$level", density = "$fill_density" }]  # $cover above the crown; it only weighs
 gravity.z = "-9.81 m/s^2"

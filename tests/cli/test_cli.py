@@ -234,7 +234,7 @@ def python(code, *arguments, **options):
     return subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, **options)
 
 
-ANSWERED_AT_ONCE = ["list", "--help", "run --help", "--version", "run"]
+ANSWERED_AT_ONCE = ["list", "--help", "run --help", "--version", "run", "new", "new bridge --help", "show couplet"]
 ANSWERED_AT_ONCE += [f"{command} --help" for command in APART if command not in OF_VERIFICATION]
 MODULES_AT_ONCE = 110
 """That a command may load besides those of a bare Python: 94 for the list of scenes, 52 to 66 for others."""

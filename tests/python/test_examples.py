@@ -22,6 +22,7 @@ def test_these_are_the_functions_that_a_user_has():
         "load",
         "load_result",
         "modes",
+        "new",
         "record",
         "report",
         "resume",
