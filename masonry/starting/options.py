@@ -51,6 +51,7 @@ class TaskOption:
 
     def entries(self, value: Any, where: str) -> tuple[Entry, ...]:
         """The values of a text "8,6" or "8 m", a number, or a list of them. Raises SceneError."""
+        value = value.tolist() if hasattr(value, "tolist") else value
         parts = value.split(",") if isinstance(value, str) and self.several > 1 else value
         parts = list(parts) if isinstance(parts, list | tuple) else [parts]
         if not 1 <= len(parts) <= self.several:
@@ -63,10 +64,8 @@ class TaskOption:
             if value not in self.words:
                 raise SceneError(f"{where}: {str(value)[:60]!r}; {nearest(str(value)[:60], self.words)}")
             return Entry(str(value), math.nan)
-        number = f"{value:.12g}" if isinstance(value, numbers.Real) and not isinstance(value, bool) else value
-        text, bare = number, False
-        if isinstance(number, str):
-            text, bare = number.strip(), _is_number(number)
+        text = _as_text(value, where)
+        bare = isinstance(text, str) and _is_number(text)
         if not self.unit:
             si = parse(text, self.kind, where, self.allowed)
             return Entry(f"{si:.12g}", si)
@@ -142,6 +141,18 @@ def round_up(value: float, step: float) -> float:
     return round(math.ceil(round(value / step, 6)) * step, 6)
 
 
+def _as_text(value: Any, where: str) -> Any:
+    """A number as text, a text with single spaces, and anything else as it is."""
+    if isinstance(value, str):
+        return " ".join(value.split())
+    if not isinstance(value, numbers.Real) or isinstance(value, bool):
+        return value
+    try:
+        return f"{float(value):.12g}"
+    except OverflowError:
+        raise SceneError(f"{where}: no number is as large as this") from None
+
+
 def _with_gravity(text: Any) -> Any:
     """An acceleration such as "0.3 g", whose g is that of gravity, not a gram."""
     return f"{text[:-1]}g_n" if isinstance(text, str) and text[-1:] == "g" and text[-2:-1] in " 0123456789." else text
@@ -149,7 +160,6 @@ def _with_gravity(text: Any) -> Any:
 
 def _is_number(text: str) -> bool:
     try:
-        float(text)
+        return is_plain(text) and math.isfinite(float(text))
     except ValueError:
         return False
-    return is_plain(text)

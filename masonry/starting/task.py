@@ -33,7 +33,7 @@ DRY_STIFFNESS = (
     "contact.unit_unit.normal_stiffness",
     "dry joints: 10 to 100 GPa/m; it moves the factor by less than its accuracy (docs/stiffness.md)",
 )
-BOUND = "`masonry limit` has stones rise as they slide, a bound from above; --no-dilation, slower, is as a run."
+BOUND = "`masonry limit` has stones rise as they slide, a bound from above; --no-dilation, in minutes, is as a run."
 """Beside the two answers for stones that slide."""
 COLUMN = 34
 """Of comments behind a value."""

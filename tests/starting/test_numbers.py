@@ -93,7 +93,7 @@ def test_a_bare_number_has_the_unit_of_the_help_and_texts_keep_theirs():
     tables = tomllib.loads(text)
     assert [arch["span"] for arch in tables["specimen"]["arch"]] == ["8 m", "600 cm"]
     assert tables["vehicle"]["axles"] == ["90 kN", "9e4 N"]
-    mixed, plain = (scene_of("bridge", {"spans": spans}, "b.toml")[0] for spans in ("800 cm, 6", [8, np.float64(6.0)]))
+    mixed, plain = (scene_of("bridge", {"spans": spans}, "b.toml")[0] for spans in ("800\ncm, 6", np.array([8, 6])))
     assert np.allclose(mixed.specimen.build().blocks.points, plain.specimen.build().blocks.points, rtol=1e-14)
 
 
@@ -106,6 +106,8 @@ def test_a_bare_number_has_the_unit_of_the_help_and_texts_keep_theirs():
         ("bridge", {"spans": [8, 6, 7], "pier_width": [1.0, 2.0, 3.0]}, "^pier_width: .*the 2 piers"),
         ("bridge", {"spans": []}, "^spans: give 1 to 20 values"),
         ("bridge", {"spans": True}, "^spans: True is not a quantity"),
+        ("bridge", {"spans": 10**400}, "^spans: no number is as large"),
+        ("bridge", {"spans": np.array([8.0, np.inf])}, "^spans: 'inf' is not a number and a unit"),
         ("arch", {"load": None, "rise": "2 kN"}, "^rise: kN is a force"),
     ],
 )
