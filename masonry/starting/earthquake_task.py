@@ -28,6 +28,7 @@ unit_length = "$unit_fit"  # $fitted
 unit_height = "$course_fit"
 base = "100 mm"  # of the ground
 beam = "150 mm"
+points_per_edge = $points  # more along edges that bend
 
 [contact.default]  # all joints of mortar
 normal_stiffness = "$stiffness"  # a modulus of the wall of 500 MPa over a course
@@ -59,6 +60,7 @@ soil = "$soil"
 
 [solver]
 masses = "real"  # time is real
+duration = "$until"  # and some seconds to come to rest
 frames = 100
 """
 
@@ -78,6 +80,8 @@ def values(entries: Entries) -> dict[str, Any]:
         "stiffness": f"{stiffness:.4g} GPa/m",
         "shear_stiffness": f"{0.4 * stiffness:.4g} GPa/m",
         "tension": f"{min(cohesion / 1.5, cohesion / friction) / 1e6:.4g} MPa",
+        "until": f"{entries.si('duration') + 3.0:g} s",
+        "points": "{ x = 2, y = 12, z = 2 }" if across else "{ x = 4, y = 2, z = 4 }",
         "axis": "y" if across else "x",
         "ground_size": metres(10.0 * entries.si("height") + 2.0 * entries.si("length")),
         "rocks": f"{entries.si('thickness' if across else 'length') / entries.si('height'):.3g}",
