@@ -88,12 +88,12 @@ def _modes(task: ModesTask) -> dict[str, bytes]:
 
 
 def _loaded(toml: str) -> Any:
-    from masonry import scene
+    from masonry.scene import load
 
     with TemporaryDirectory(prefix="masonry-") as folder:
         path = Path(folder) / "scene.toml"
         path.write_text(toml, encoding="utf-8", newline="\n")
-        return scene.load(path)
+        return load(path)
 
 
 def _files(result: Any, begun: float) -> dict[str, bytes]:
