@@ -54,7 +54,11 @@ def test_the_version_stands_in_one_place_and_others_follow(build):
 
 def test_licences_of_the_program_and_of_its_data_go_with_it(build):
     assert build.metadata.license_expression == "GPL-2.0-or-later"
-    assert build.metadata.license_files == ["LICENSE", "masonry/scenes/data/LICENCES.md"]
+    assert build.metadata.license_files == [
+        "LICENSE",
+        "masonry/scenes/data/LICENCES.md",
+        "masonry/viewing/assets/three-LICENSE",
+    ]
     assert all((HOUSE / name).is_file() for name in build.metadata.license_files)
 
 

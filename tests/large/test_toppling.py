@@ -193,4 +193,5 @@ def test_a_stack_of_two_rocks_as_one(accuracy):
     summary, _ = pushed(0.2, 0.25, 1e10, accuracy, (lower,), 0.25)
     whole = DENSITY * G * 0.2**2 * 0.5
     assert summary["peak_force_n"] == pytest.approx(whole * 0.2 / (2.0 * 0.375), rel=0.5 * accuracy)
-    assert trust(summary).startswith("sound")
+    told = ["few_points"] if accuracy < 0.03 else []  # joints give way beside the edge, and bear 3 % less
+    assert [doubt["name"] for doubt in summary["doubts"]] == told

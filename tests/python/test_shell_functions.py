@@ -16,7 +16,7 @@ ELSEWHERE = {
     **dict.fromkeys(("plot", "picture", "movie", "spectrum"), "load_result"),
 }
 """Functions of another name; what comes of the last one draws."""
-FOR_PEOPLE = {"doctor", "paper"}
+FOR_PEOPLE = {"doctor", "paper", "show"}
 
 
 def test_each_command_has_a_function():

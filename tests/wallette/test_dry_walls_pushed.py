@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from masonry.judgement.sentence import trust
 from masonry.laboratory import laboratory
 from masonry.laboratory.result import Result
 from tests.scenes import load
@@ -48,10 +47,10 @@ height = "150 mm"
 """
 
 
-def pushed(specimen: str, bottom: str, top: str, more: str = "") -> Result:
-    """The top of a specimen pushed by 1 mm; quasi-static, and nothing about it is doubted."""
+def pushed(specimen: str, bottom: str, top: str, more: str = "", doubts: tuple[str, ...] = ()) -> Result:
+    """The top of a specimen pushed by 1 mm; quasi-static, and nothing else about it is doubted."""
     result = laboratory.run(load(PUSHED.replace("BOTTOM", bottom).replace("TOP", top) + specimen + more))
-    assert "with care" not in trust(result.summary)
+    assert tuple(doubt.name for doubt in result.doubts) == doubts
     assert result.summary["kinetic_over_internal_max"] < 0.01
     return result
 
@@ -78,8 +77,9 @@ def test_a_load_on_the_wall_adds_its_own_friction():
 
 
 def test_a_slender_stack_rocks_about_its_lowest_edge():
-    """The force acts at the middle of the top unit, 2.5 units above the joint: F * 2.5 h = 3 W b / 2."""
-    result = pushed(STACK.replace("LENGTH", "100 mm"), "bottom", "top")
+    """The force acts at the middle of the top unit, 2.5 units above the joint: F * 2.5 h = 3 W b / 2. With many points
+    the joint would give way on a strip beside its edge, and bear 4 % less: that is told."""
+    result = pushed(STACK.replace("LENGTH", "100 mm"), "bottom", "top", doubts=("few_points",))
     assert agrees(result, 3 * SPECIFIC * 0.1 * 0.08 * 0.15 * 0.5 * 0.1 / (2.5 * 0.15))
     assert result.summary["damping_over_external"] >= 0.0
     eccentricity = result.resultants["eccentricity"][result.resultants["moment"] == "end"]

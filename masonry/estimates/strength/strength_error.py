@@ -27,6 +27,8 @@ LIFTS = 0.05
 """Of the mean closing of a dry joint: a point that closes by less hardly bears, and is about to lift off."""
 NOTHING = 1e-6
 """Times what many points bear: so much is counted of points that bear nothing."""
+TURNS = 0.1
+"""Fraction of the work behind the peak that is not elastic, from which on joints turn, and not only slide."""
 
 
 class StrengthError(NamedTuple):
@@ -59,7 +61,7 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     """The joints that may matter, each in one way: that gave way, or whose load only few points can bear.
 
     What is dry bears the more the further it turns. Any joint may turn as far as the one that turns most while a drive
-    stays at its peak, and without end under a load that grows.
+    stays at its peak and joints turn behind it, and without end under a load that grows, or where joints but slide.
     """
     frames, assembly = inspection.frames, inspection.assembly
     if not frames or not (
@@ -74,8 +76,8 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     bends, slides = _shares(gave, now, looks[behind])
     if not (np.isfinite(bends).all() and np.isfinite(slides).all() and np.isfinite(turn).all()):
         return []
-    at_peak = [float(np.linalg.norm(looks[number].turn, axis=1).max()) for number in inspection.plateau]
-    farthest = max(at_peak, default=np.inf)
+    at_peak = [float(np.linalg.norm(looks[number].turn, axis=1).max(initial=0.0)) for number in inspection.plateau]
+    farthest = max(at_peak, default=np.inf) if bends[:, 1].sum() > TURNS else np.inf
     matter: list[tuple[int, Borne]] = []
     for face in _largest(bends):
         turns = turn[face], farthest if gave[face] else np.inf

@@ -34,8 +34,6 @@ from masonry.sweeps.work import OK
 
 PICTURE, CSV, TABLE = "convergence", "convergence.csv", "convergence.json"
 DOING = "refines a scene in it"
-SHORTEST = 1e-3
-"""Seconds of a run that are counted at least."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -169,10 +167,8 @@ class Runner:
             return [], done
         answers = campaign.analysis.answers(base, gauges, self.of)
         changes, scatter = relative_changes(done, answers)
-        refined = [row for trial, row in done[1:] if trial.name not in (DRAWN, RIGID)]
-        spent = sum(row["seconds_processor_run"] for row in refined if row["status"] == OK)
-        cost = spent / max(base["seconds_processor_run"], SHORTEST)
-        done += self._round(campaign, campaign.second(first, changes, scatter, cost), base)
+        spent = sum(trial.cost for trial, row in done[1:] if trial.name not in (DRAWN, RIGID) and row["status"] == OK)
+        done += self._round(campaign, campaign.second(first, changes, scatter, spent), base)
         return [error for answer in answers if (error := error_of(answer, done)) is not None], done
 
     def _round(

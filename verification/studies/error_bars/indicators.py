@@ -181,9 +181,13 @@ def main() -> None:
     kinds = chosen.kinds.split(",") if chosen.kinds else list(ALL)
     if unknown := [kind for kind in kinds if kind not in ALL]:
         words.error(f"--kinds {unknown[0]}: {nearest(unknown[0], ALL)}")
-    lines = [json.loads(line) for line in chosen.file.read_text().splitlines()] if chosen.file.exists() else []
+    lines = (
+        [json.loads(line) for line in chosen.file.read_text(encoding="utf-8").splitlines()]
+        if chosen.file.exists()
+        else []
+    )
     done = {(line["kind"], line["seed"]) for line in lines}
-    with chosen.file.open("a") as file:
+    with chosen.file.open("a", encoding="utf-8") as file:
         for seed in range(first, last + 1):
             for kind in kinds:
                 if (kind, seed) not in done:

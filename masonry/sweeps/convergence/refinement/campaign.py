@@ -29,6 +29,8 @@ SKEW = 1e-6
 """Gap of the sides of a parallelogram over its diagonal, beyond which it is none."""
 COST, COST_OF_TETS = 6.0, 8.0
 """Times the scene itself that all other runs may take, where nothing else is said."""
+ABOUT = 0.5
+"""The same, by which a run may be too dear: it is a forecast."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ class Campaign:
         """Those of some runs, in their order, that a cost reaches."""
         chosen = []
         for trial in trials:
-            if trial is not None and trial.cost <= remaining:
+            if trial is not None and trial.cost <= remaining + ABOUT:
                 chosen.append(trial)
                 remaining -= trial.cost
         return chosen
