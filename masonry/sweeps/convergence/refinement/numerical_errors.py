@@ -83,7 +83,8 @@ def error_of_values(
     flat = [n - _middle(base) for trial, n in middle if trial.name in parts and parts[trial.name].change == 0.0]
     largest = max(map(abs, [*again, *flat]), default=0.0)
     flat = [difference for difference in flat if abs(difference) > IDLE * largest]
-    scattered = hypot(scatter_bar([*again, *flat]), base.interval, base.reading)
+    reading = max(value.reading for _, value in values)  # a peak at the end of a drive has none: it may be before
+    scattered = hypot(scatter_bar([*again, *flat]), base.interval, reading)
     estimate = together(list(parts.values()), _interaction(middle, scatter), 2.0, scattered)
     limit = _middle(base) + estimate.change
     by_part = {name: -part.change for name, part in parts.items()}
