@@ -60,8 +60,7 @@ def strength_error(inspection: Inspection) -> StrengthError | None:
 def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     """The joints that may matter, each in one way: that gave way, or whose load only few points can bear.
 
-    What is dry bears the more the further it turns. Any joint may turn as far as the one that turns most while a drive
-    stays at its peak and joints turn behind it, and without end under a load that grows, or where joints but slide.
+    What is dry bears the more the further it turns: each joint is asked up to a turn that all may have.
     """
     frames, assembly = inspection.frames, inspection.assembly
     if not frames or not (
@@ -76,8 +75,7 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
     bends, slides = _shares(gave, now, looks[behind])
     if not (np.isfinite(bends).all() and np.isfinite(slides).all() and np.isfinite(turn).all()):
         return []
-    at_peak = [float(np.linalg.norm(looks[number].turn, axis=1).max(initial=0.0)) for number in inspection.plateau]
-    farthest = max(at_peak, default=np.inf) if bends[:, 1].sum() > TURNS else np.inf
+    farthest = _farthest(inspection, looks, bends)
     matter: list[tuple[int, Borne]] = []
     for face in _largest(bends):
         turns = turn[face], farthest if gave[face] else np.inf
@@ -87,6 +85,15 @@ def _that_matter(inspection: Inspection) -> list[tuple[int, Borne]]:
         one = slid(assembly, faces, now, inspection.shear(peak), frames[peak], face, slides[face])
         matter += [] if one is None else [(face, one)]
     return matter
+
+
+def _farthest(inspection: Inspection, looks: list[Look], bends: np.ndarray) -> float:
+    """rad, up to which a dry joint may turn: as far as that which turns most while a drive stays at its peak, if joints
+    turn behind it; without end under a load that grows, or where joints but slide. bends (J, 2) shares of the work."""
+    if bends[:, 1].sum() <= TURNS:
+        return float(np.inf)
+    at_peak = [float(np.linalg.norm(looks[number].turn, axis=1).max(initial=0.0)) for number in inspection.plateau]
+    return max(at_peak, default=float(np.inf))
 
 
 def _largest(shares: np.ndarray) -> list[int]:
