@@ -31,7 +31,8 @@ def draw_road(
         faces = open_faces(specimen.blocks, joints, chosen, "fill")
         surface.append(_draw_earth(axes, specimen, faces, fill.level, camera, moves))
     if scene.vehicle is not None:
-        _draw_vehicle(axes, scene, specimen, joints, camera, np.concatenate(surface))
+        tops = np.concatenate(surface)
+        _draw_vehicle(axes, scene, specimen, joints, camera, tops[np.argsort(tops[:, 0], kind="stable")])
 
 
 def road_keys(scene: Scene) -> list[tuple[str, str]]:

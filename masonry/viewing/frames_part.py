@@ -60,17 +60,18 @@ def chosen_frames(frames: list[Frame], limit: int, keep: int | None) -> list[Fra
     return [frames[k] for k in sorted(chosen | ({keep} if keep is not None else set()))]
 
 
-def frames_part(result: "ResultData", frames: list[Frame], into: Buffers) -> dict[str, Any]:
+def frames_part(
+    result: "ResultData", frames: list[Frame], tiles: JointTiles, origin: np.ndarray, into: Buffers
+) -> dict[str, Any]:
     """Movements, fields with their ranges over all frames, words and the place on the curve of each frame."""
     corners = BlockCorners(result.specimen.blocks)
-    tiles = JointTiles.of(result.joints)
     values = {name: [_values(frame, name, tiles) for frame in frames] for name in OF_JOINTS}
     fields = [name for name in OF_JOINTS if any(map(np.any, values[name]))]
     size = float(np.ptp(result.specimen.blocks.points, axis=0).max())
     return {
         "scale": magnification(max(frames, key=largest_move), size),
         "list": [_frame(result, frame, corners, into) for frame in frames],
-        "centre": into.add(corners.centre - _origin(result)),
+        "centre": into.add(corners.centre - origin),
         "meshed": into.add(_meshed(result), "u4"),
         "fields": [_field(name, OF_JOINTS[name], values[name], into) for name in fields],
         "block_fields": [_field("compression", COMPRESSION, [compression(frame.stress) for frame in frames], into)],
@@ -83,10 +84,6 @@ def compression(stress: np.ndarray) -> np.ndarray:
     xx, yy, zz, yz, xz, xy = np.nan_to_num(stress).T
     tensor = np.stack([xx, xy, xz, xy, yy, yz, xz, yz, zz], axis=1).reshape(-1, 3, 3)
     return np.maximum(-np.linalg.eigvalsh(tensor)[:, 0], 0.0)
-
-
-def _origin(result: "ResultData") -> np.ndarray:
-    return middle_of(result.specimen.blocks.points)
 
 
 def middle_of(points: np.ndarray) -> np.ndarray:

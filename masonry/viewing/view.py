@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from geometry.blocks import Joints, Specimen
+from geometry.blocks import GeometryError, Specimen
 from geometry.files.atomic import whole_file
 from masonry.assembly.assemble import Fabric, fabric_of
 from masonry.errors import SceneError
@@ -59,9 +59,10 @@ class PageView:
 def view_of_scene(scene: Scene) -> PageView:
     """The model of a scene before it is run: blocks, joints, supports, loads, bars. Raises SceneError."""
     fabric = fabric_of(scene)
-    buffers = Buffers()
-    content = _specimen(fabric.specimen, fabric.joints, fabric.group, fabric.contact_groups, scene.is_large, buffers)
-    content |= _acting(scene, fabric, buffers) | {"words": words_of(toml_of(to_toml(scene), "scene"))}
+    buffers, origin, tiles = Buffers(), middle_of(fabric.specimen.blocks.points), JointTiles.of(fabric.joints)
+    of_joints = tiles, fabric.group, fabric.contact_groups
+    content = _specimen(fabric.specimen, *of_joints, scene.is_large, origin, buffers)
+    content |= _acting(scene, fabric, origin, buffers) | {"words": words_of(toml_of(to_toml(scene), "scene"))}
     return _view(scene.title or scene.name, "", content, buffers)
 
 
@@ -73,11 +74,11 @@ def view_of_result(result: ResultData, frames: int = MOST) -> PageView:
     frames_of_run = result.history.frames
     if not frames_of_run:
         raise SceneError("this result has no frames: its run ended before there was one; there is nothing to show")
-    buffers = Buffers()
-    of_joints = result.joint_group, result.joint_groups
-    content = _specimen(result.specimen, result.joints, *of_joints, result.is_large, buffers)
-    content |= _acting_in(result, buffers) | {"words": words_of(result.scene_table)}
-    content["result"] = frames_part(result, chosen_frames(frames_of_run, frames, _peak(result)), buffers)
+    buffers, origin, tiles = Buffers(), middle_of(result.specimen.blocks.points), JointTiles.of(result.joints)
+    of_joints = tiles, result.joint_group, result.joint_groups
+    content = _specimen(result.specimen, *of_joints, result.is_large, origin, buffers)
+    content |= _acting_in(result, origin, buffers) | {"words": words_of(result.scene_table)}
+    content["result"] = frames_part(result, chosen_frames(frames_of_run, frames, _peak(result)), tiles, origin, buffers)
     return _view(result.title, trust(result.summary), content, buffers)
 
 
@@ -86,18 +87,22 @@ def _view(title: str, verdict: str, content: dict[str, Any], buffers: Buffers) -
 
 
 def _specimen(
-    specimen: Specimen, joints: Joints, group: np.ndarray, groups: tuple[str, ...], parts: bool, buffers: Buffers
+    specimen: Specimen,
+    tiles: JointTiles,
+    group: np.ndarray,
+    groups: tuple[str, ...],
+    parts: bool,
+    origin: np.ndarray,
+    buffers: Buffers,
 ) -> dict[str, Any]:
-    origin = middle_of(specimen.blocks.points)
     return {
         "origin": origin.tolist(),
-        "blocks": blocks_part(specimen, joints, origin, parts, buffers),
-        "joints": joints_part(JointTiles.of(joints), group, groups, origin, buffers),
+        "blocks": blocks_part(specimen, tiles.joints, origin, parts, buffers),
+        "joints": joints_part(tiles, group, groups, origin, buffers),
     }
 
 
-def _acting(scene: Scene, fabric: Fabric, buffers: Buffers) -> dict[str, Any]:
-    origin = middle_of(fabric.specimen.blocks.points)
+def _acting(scene: Scene, fabric: Fabric, origin: np.ndarray, buffers: Buffers) -> dict[str, Any]:
     return {"loads": loads_part(scene, fabric, origin, buffers), "segments": _segments(scene, origin)}
 
 
@@ -109,15 +114,15 @@ def _segments(scene: Scene, origin: np.ndarray) -> list[dict[str, Any]]:
     ]
 
 
-def _acting_in(result: ResultData, buffers: Buffers) -> dict[str, Any]:
+def _acting_in(result: ResultData, origin: np.ndarray, buffers: Buffers) -> dict[str, Any]:
     """Supports and loads in the scene of a result; nothing where its files are gone."""
     try:
         scene = load(result.scene_table)
         fabric = fabric_of(scene)
         if fabric.specimen.blocks.count != result.specimen.blocks.count:
             return {"loads": [], "segments": []}
-        return _acting(scene, fabric, buffers)
-    except SceneError:
+        return _acting(scene, fabric, origin, buffers)
+    except (SceneError, GeometryError):
         return {"loads": [], "segments": []}
 
 
