@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from masonry.starting.mortar import MORTAR, tension_of
 from masonry.starting.options import Entries, TaskOption
 from masonry.starting.task import DENSITY, StartTask
 
@@ -40,21 +41,12 @@ accuracy = "1 %"
 def values(entries: Entries) -> dict[str, Any]:
     """The placeholders of TEMPLATE."""
     cohesion, pressure, friction = (entries.si(name) for name in ("cohesion", "pressure", "friction"))
-    tension = entries.optional("tension")
-    if tension and tension[0].si > cohesion / friction:
-        raise entries.refusal(
-            "tension",
-            f"{tension[0].text}; a joint bears at most cohesion / friction, {cohesion / friction / 1e6:.4g} MPa",
-        )
     return {
         "title": f"Shear test of a joint under {entries.text('pressure')}",
-        "tension": tension[0].text if tension else f"{min(cohesion / 1.5, cohesion / friction) / 1e6:.4g} MPa",
+        "tension": tension_of(entries),
         "peak": f"{(cohesion + friction * pressure) / 1e6:.4g}",
     }
 
-
-MORTAR = "`masonry contact` gives it from Eurocode 6 (docs/contact-table.md)"
-"""Where strengths of a joint come from."""
 
 TASK = StartTask(
     "couplet",

@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from masonry.starting.couplet_task import MORTAR
 from masonry.starting.coursed import units_of
+from masonry.starting.mortar import MORTAR, tension_of
 from masonry.starting.options import Entries, TaskOption, metres
 from masonry.starting.task import DENSITY, StartTask
 
@@ -68,7 +68,6 @@ frames = 100
 def values(entries: Entries) -> dict[str, Any]:
     """The placeholders of TEMPLATE."""
     units = units_of(entries, 0.0)
-    cohesion, friction = entries.si("cohesion"), entries.si("friction")
     stiffness = 1.0 / units.height
     across = entries.text("direction") == "across"
     return {
@@ -79,7 +78,7 @@ def values(entries: Entries) -> dict[str, Any]:
         "fitted": units.words,
         "stiffness": f"{stiffness:.4g} GPa/m",
         "shear_stiffness": f"{0.4 * stiffness:.4g} GPa/m",
-        "tension": f"{min(cohesion / 1.5, cohesion / friction) / 1e6:.4g} MPa",
+        "tension": tension_of(entries),
         "until": f"{entries.si('duration') + 5.0:g} s",
         "points": "{ x = 2, y = 12, z = 2 }" if across else "{ x = 4, y = 2, z = 4 }",
         "axis": "y" if across else "x",

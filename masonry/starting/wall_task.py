@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from masonry.starting.couplet_task import MORTAR
 from masonry.starting.coursed import units_of
+from masonry.starting.mortar import MORTAR, tension_of
 from masonry.starting.options import Entries, TaskOption, metres
 from masonry.starting.task import DENSITY, StartTask
 
@@ -68,13 +68,8 @@ def values(entries: Entries) -> dict[str, Any]:
     """The placeholders of TEMPLATE."""
     units = units_of(entries, entries.si("joint"))
     rise = units.height + entries.si("joint")
-    stiffness, tension = entries.si("modulus") / rise / 1e9, entries.optional("tension")
-    cohesion, friction = entries.si("cohesion"), entries.si("friction")
-    if tension and tension[0].si > cohesion / friction:
-        raise entries.refusal(
-            "tension",
-            f"{tension[0].text}; a joint bears at most cohesion / friction, {cohesion / friction / 1e6:.4g} MPa",
-        )
+    stiffness, friction = entries.si("modulus") / rise / 1e9, entries.si("friction")
+    tension = tension_of(entries)
     length, area = entries.si("length"), entries.si("length") * entries.si("thickness")
     force, strength = entries.si("pressure") * area, entries.si("strength")
     if entries.si("pressure") >= strength:
@@ -90,7 +85,7 @@ def values(entries: Entries) -> dict[str, Any]:
         "fitted": units.words,
         "stiffness": f"{stiffness:.4g} GPa/m",
         "shear_stiffness": f"{0.4 * stiffness:.4g} GPa/m",
-        "tension": tension[0].text if tension else f"{min(cohesion / 1.5, cohesion / friction) / 1e6:.4g} MPa",
+        "tension": tension,
         "top_fix": fix,
         "top_says": says,
         "rocking": f"{arm / entries.si('height') / 1e3:.4g}",
